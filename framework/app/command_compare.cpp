@@ -14,8 +14,8 @@
 #include "experiment/comparison_json.hpp"
 #include "experiment/comparison_text.hpp"
 #include "experiment/run_pivot.hpp"
-#include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
+#include "record/output_places.hpp"
 #include "report/raster.hpp"
 
 namespace tolman::app {
@@ -63,7 +63,7 @@ std::string bytesOf(const std::string& svg, const std::string& file) {
 }
 
 std::string comparisonText(CompareCommand& command, const std::vector<experiment::RunRow>& rows,
-                           std::vector<std::filesystem::path>& written) {
+                           std::vector<record::OutputFile>& files) {
   if (!command.pivot.columns.empty() || !command.values.empty()) {
     command.pivot.by = command.options.by;
     command.pivot.only = command.options.only;
@@ -81,8 +81,7 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
   const auto kind = config::valueNamed<experiment::FigureKind>(command.kind);
   for (const std::string& file : command.figures) {
     const std::string svg = valueOrEnd(experiment::comparisonFigure(comparison, *kind));
-    requireOrEnd(record::writeOutput(file, bytesOf(svg, file)));
-    written.emplace_back(file);
+    files.push_back({file, bytesOf(svg, file)});
   }
   return textOf(comparison, command.format);
 }
@@ -119,13 +118,9 @@ bool isOfInput(const std::filesystem::path& file, const std::filesystem::path& i
 void refuseInputs(const CompareCommand& command) {
   std::vector<std::string> files = command.figures;
   if (!command.out.empty()) files.push_back(command.out);
-  std::error_code ignored;
   for (const std::string& file : files) {
     for (const std::string& run : command.runs) {
-      if (!isOfInput(std::filesystem::weakly_canonical(file, ignored),
-                     std::filesystem::weakly_canonical(run, ignored))) {
-        continue;
-      }
+      if (!isOfInput(record::truePath(file), record::truePath(run))) continue;
       throw Ended{ExitCode::Usage, file + ": belongs to " + run +
                                        ", which is compared; choose a file outside of it"};
     }
@@ -143,10 +138,7 @@ void refuseFiles(const CompareCommand& command) {
     }
     files.emplace_back(figure);
   }
-  std::error_code ignored;
-  for (std::filesystem::path& file : files) {
-    file = std::filesystem::weakly_canonical(file, ignored);
-  }
+  for (std::filesystem::path& file : files) file = record::truePath(file);
   std::ranges::sort(files);
   const auto twice = std::ranges::adjacent_find(files);
   if (twice == files.end()) return;
@@ -169,14 +161,16 @@ void compare(CompareCommand& command, const Invocation& invocation) {
     const std::string text = experiment::unfinishedText(folder);
     if (!text.empty()) std::cerr << "warning: " + text + "\n";
   }
-  std::vector<std::filesystem::path> written;
-  const std::string table = comparisonText(command, rows, written);
+  std::vector<record::OutputFile> files;
+  const std::string table = comparisonText(command, rows, files);
+  if (!command.out.empty()) files.push_back({command.out, table});
+  requireOrEnd(record::writeTogether(files, command.out.empty() ? "--figure" : "--out"));
   if (command.out.empty()) {
     std::cout << table;
     return;
   }
-  requireOrEnd(record::writeOutput(command.out, table));
-  written.emplace_back(command.out);
+  std::vector<std::filesystem::path> written;
+  for (const record::OutputFile& file : files) written.push_back(file.path);
   printFiles(written, invocation);
 }
 

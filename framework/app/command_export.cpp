@@ -10,6 +10,7 @@
 #include "app/program.hpp"
 #include "isolation/child_process.hpp"
 #include "record/export.hpp"
+#include "record/output_places.hpp"
 #include "record/reference.hpp"
 #include "record/run_directory.hpp"
 
@@ -36,8 +37,13 @@ struct ExportCommand {
 /// Refuses a folder with another run or with files of these names. In the directory of the run
 /// itself they are Tolman's own.
 void refuseOther(const ExportCommand& command) {
-  if (command.out.empty()) return;
   const std::filesystem::path folder = command.folder();
+  std::vector<std::filesystem::path> files;
+  for (const std::string_view name : record::kExportedFiles) files.push_back(folder / name);
+  if (command.nwb) files.push_back(folder / "run.nwb");
+  if (command.npz) files.push_back(folder / "run.npz");
+  requireOrEnd(record::refuseFolders(files, "--out"));  // before any is written
+  if (command.out.empty()) return;
   requireOrEnd(record::RunDirectory::mayTakeFilesOf(command.run, folder));
   std::error_code ignored;
   if (std::filesystem::equivalent(command.run, folder, ignored)) {
@@ -46,20 +52,16 @@ void refuseOther(const ExportCommand& command) {
                 "--session would replace the files of the run's own session; leave out --out, or "
                 "give another folder"};
   }
-  std::vector<std::filesystem::path> files;
-  for (const std::string_view name : record::kExportedFiles) files.push_back(folder / name);
-  if (command.nwb) files.push_back(folder / "run.nwb");
-  if (command.npz) files.push_back(folder / "run.npz");
   refuseExisting(files, command.replace, "--out");
 }
 
 /// Returns the written files.
-std::vector<std::filesystem::path> exportFiles(const ExportCommand& command) {
-  refuseOther(command);
+std::vector<std::filesystem::path> exportFiles(const record::RunReader& reader,
+                                               const ExportCommand& command) {
   std::error_code ignored;
   const std::filesystem::path folder = command.folder();
   const bool is_new = std::filesystem::create_directories(folder, ignored);
-  const auto written = record::exportRun(command.run, folder, command.session);
+  const auto written = record::exportRun(reader, folder, command.session);
   if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty
   return valueOrEnd(written);
 }
@@ -128,7 +130,9 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
           ExitCode::Usage,
           "--nwb and --npz write the run's own session; leave out --session, or export twice"};
     }
-    std::vector<std::filesystem::path> written = exportFiles(*asked);
+    refuseOther(*asked);
+    const auto reader = valueOrEnd(record::RunReader::open(asked->run));
+    std::vector<std::filesystem::path> written = exportFiles(*reader, *asked);
     if (asked->nwb) {
       exportByPython("nwb", *asked, "python3-tolman and python3-h5py", written, invocation);
     }
@@ -136,7 +140,7 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
       exportByPython("npz", *asked, "python3-tolman and python3-numpy", written, invocation);
     }
     printFiles(written, invocation);
-    warnOfChangedRecord(asked->run);
+    warnOfChangedRecord(*reader);
     warnOfRunFile(asked->run);
   });
 

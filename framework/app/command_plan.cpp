@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -23,6 +24,10 @@ namespace tolman::app {
 namespace {
 
 constexpr double kFarthest = 1e9;  // m; also the limit of positions in trajectory files
+
+/// The tables from which a route is made.
+constexpr std::array<std::string_view, 4> kTablesOfRoute = {"experience", "link", "map_update",
+                                                            "motion"};
 
 struct RouteOptions {
   std::string run;
@@ -190,7 +195,7 @@ void run(const RouteOptions& options, const Invocation& invocation) {
   const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
-  warnOfChangedRecord(options.run);
+  warnOfChangedRecord(*reader, kTablesOfRoute);
   warnOfRunFile(options.run);
   warnOfFarPlaces(plan, graph);
   if (invocation.json) {

@@ -8,6 +8,7 @@
 #include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "record/run_directory.hpp"
+#include "record/run_reader.hpp"
 #include "run/report_files.hpp"
 
 namespace tolman::app {
@@ -46,7 +47,8 @@ void refuseOther(const std::string& run, const std::filesystem::path& folder, bo
   requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
   std::error_code ignored;
   if (std::filesystem::equivalent(run, folder, ignored)) return;
-  refuseExisting({folder / "report.html", folder / "figures"}, replace, "--out");
+  refuseExisting({folder / "report.html"}, replace, "--out");
+  refuseFilled(folder / "figures", replace, "--out");
 }
 
 }  // namespace
@@ -68,12 +70,14 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
   command->callback([runs, out, replace, units, &invocation] {
     const std::filesystem::path folder = out->empty() ? runs->front() : *out;
     if (!out->empty()) refuseOther(runs->front(), folder, *replace);
-    const auto written =
-        valueOrEnd(run::writeReport({runs->begin(), runs->end()}, folder, units->choice()));
-    printFiles(written, invocation);
+    std::vector<std::unique_ptr<record::RunReader>> readers;
     for (const std::string& run : *runs) {
-      warnOfChangedRecord(run);
-      warnOfRunFile(run);
+      readers.push_back(valueOrEnd(record::RunReader::open(run)));
+    }
+    printFiles(valueOrEnd(run::writeReport(readers, folder, units->choice())), invocation);
+    for (const auto& reader : readers) {
+      warnOfChangedRecord(*reader);
+      warnOfRunFile(reader->directory());
     }
   });
 }

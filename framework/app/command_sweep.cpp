@@ -23,6 +23,7 @@
 #include "isolation/child_process.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
+#include "record/output_places.hpp"
 #include "run/terminal.hpp"
 
 namespace tolman::app {
@@ -219,6 +220,8 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
                                        : fs::path(command.out))
           .lexically_normal();
   refuseRun(out);
+  requireOrEnd(record::refuseRunFolders(out, "--out"));
+  requireOrEnd(record::refuseFolders(filesBeside(command.write, out), "--out"));
   const experiment::FrozenRuns frozen = experiment::frozenRuns(out);
   if (frozen.planned.empty() && frozen.earlier.empty()) {
     refuseExisting(filesBeside(command.write, out), command.replace, "--out");

@@ -96,7 +96,9 @@ void addViewCommand(CLI::App& app, Invocation& invocation) {
   command->callback([options, no_hint, no_images, &invocation] {
     options->plugin_paths = invocation.plugin_paths;
     options->images = !*no_images;
-    warnOfChangedRecord(options->run);
+    if (const auto reader = record::RunReader::open(options->run); reader.isOk()) {
+      warnOfChangedRecord(*reader.value());
+    }
     ViewCommand view(invocation, !*no_hint);
     view.execute(*options);
   });

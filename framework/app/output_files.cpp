@@ -5,6 +5,7 @@
 
 #include "app/program.hpp"
 #include "record/atomic_file.hpp"
+#include "record/output_places.hpp"
 
 namespace tolman::app {
 namespace {
@@ -20,6 +21,11 @@ bool isInTheWay(const fs::path& file) {
   return fs::is_symlink(file, ignored) || fs::file_size(file, ignored) > 0;
 }
 
+[[noreturn]] void refuse(const fs::path& file, const std::string& option) {
+  throw Ended{ExitCode::Record,
+              file.string() + ": exists; choose another " + option + ", or replace it with --force"};
+}
+
 }  // namespace
 
 void addForce(CLI::App& command, bool& replace, const std::string& what) {
@@ -28,12 +34,19 @@ void addForce(CLI::App& command, bool& replace, const std::string& what) {
 
 void refuseExisting(const std::vector<fs::path>& files, bool replace, const std::string& option,
                     const std::function<bool(const fs::path&)>& is_own) {
+  for (const fs::path& file : files) {
+    requireOrEnd(record::refuseRunFolders(file, option));
+  }
+  requireOrEnd(record::refuseFolders(files, option));
   if (replace) return;
   for (const fs::path& file : files) {
     if (!isInTheWay(file) || is_own(file)) continue;
-    throw Ended{ExitCode::Record, file.string() + ": exists; choose another " + option +
-                                      ", or replace it by --force"};
+    refuse(file, option);
   }
+}
+
+void refuseFilled(const fs::path& folder, bool replace, const std::string& option) {
+  if (!replace && isInTheWay(folder)) refuse(folder, option);
 }
 
 }  // namespace tolman::app

@@ -15,6 +15,7 @@
 #include "config/named_value.hpp"
 #include "config/nearest_name.hpp"
 #include "record/atomic_file.hpp"
+#include "record/output_places.hpp"
 #include "tolman/version.hpp"
 
 namespace tolman::app {
@@ -93,6 +94,7 @@ Status copyFilled(const fs::path& from, const fs::path& to,
 
 /// Whether `folder` may be filled: absent, or an empty folder.
 Status checkFree(const fs::path& folder) {
+  if (Status own = record::refuseRunFolders(folder, "folder"); !own.isOk()) return own;
   std::error_code error;
   if (!fs::exists(folder, error)) return Status::ok();
   if (fs::is_directory(folder, error) && fs::is_empty(folder, error) && !error) return Status::ok();

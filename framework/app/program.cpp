@@ -22,7 +22,6 @@
 #include "host/manifest.hpp"
 #include "record/atomic_file.hpp"
 #include "record/export.hpp"
-#include "record/row_sums.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
 #include "run/build_info.hpp"
@@ -202,12 +201,9 @@ void warnOfRunFile(const std::string& run) {
   if (!status.isOk()) std::cerr << "warning: " + run::printable(status.message()) + "\n";
 }
 
-void warnOfChangedRecord(const std::string& run) {
-  const auto reader = record::RunReader::open(run);
-  if (!reader.isOk()) return;
-  const bool has_sums = record::hasRowSums(reader.value()->database());
-  const Status status =
-      has_sums ? record::checkRows(*reader.value()) : record::checkUnchanged(*reader.value());
+void warnOfChangedRecord(const record::RunReader& reader,
+                         std::span<const std::string_view> tables) {
+  const Status status = record::checkRows(reader, tables);
   if (!status.isOk()) {
     std::cerr << "warning: " + run::printable(status.message()) +
                      "; this output is of the changed record\n";

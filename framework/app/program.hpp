@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/exit_code.hpp"
@@ -11,6 +13,9 @@
 
 namespace CLI {
 class App;
+}
+namespace tolman::record {
+class RunReader;
 }
 
 namespace tolman::app {
@@ -64,8 +69,10 @@ struct Invocation {
 /// Warns on stderr of a run whose run.json is missing or damaged: it is used, but not silently.
 void warnOfRunFile(const std::string& run);
 
-/// Warns on stderr of a run whose record was changed after the run. Reads all of the record.
-void warnOfChangedRecord(const std::string& run);
+/// Warns on stderr of a record of which these tables (empty: any) were changed after the run; reads
+/// their rows.
+void warnOfChangedRecord(const record::RunReader& reader,
+                         std::span<const std::string_view> tables = {});
 
 /// Names of the files that a command wrote: lines, with --json a list "files", with --quiet
 /// nothing.

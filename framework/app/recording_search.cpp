@@ -11,6 +11,7 @@
 #include "config/scalars.hpp"
 #include "record/regular_file.hpp"
 #include "run/checked_system.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::app {
 namespace {
@@ -272,6 +273,11 @@ class Search {
 
   void tryStamps() {
     for (const std::string& file : namesIn(recording_, {".csv", ".txt"})) {
+      const std::string problem = text_encoding::encodingProblemOf(recording_ / file);
+      if (!problem.empty()) {
+        found_.unread_times.push_back((recording_ / file).string() + ": " + problem);
+        continue;
+      }
       const bool is_table = fs::path(file).extension() == ".csv";
       const auto column = is_table ? timesColumn(recording_ / file) : timesList(recording_ / file);
       if (column && tryTimes(*column)) return;

@@ -24,7 +24,7 @@ std::string errorText(const char* name, const std::optional<evaluation::ErrorFig
 std::string scoreText(std::string_view name, const std::optional<evaluation::UnitScore>& score) {
   if (!score) return "";
   return fmt::format("{} {:.2f}, {:.0f} % above chance", name, score->median,
-                     100 * score->share_above);
+                     100 * score->share_better);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "report/axes.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::bench {
 namespace {
@@ -42,6 +43,9 @@ Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file) {
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
   if (!stream.is_open()) return Status::invalidInput(file.string() + ": cannot be read");
+  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
+  }
   const json measured = json::parse(stream, nullptr, false);
   const auto curve = measured.is_discarded() ? std::nullopt : curveIn(measured);
   if (!curve) {

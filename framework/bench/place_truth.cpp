@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dataset/loop_truth.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::bench {
 namespace {
@@ -50,9 +51,13 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
   if (!stream.is_open()) {
     return Status::invalidInput(file.string() + ": cannot be read as a file of true pairs");
   }
+  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
+  }
   auto pairs = std::make_shared<std::set<Pair>>();
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
+    if (number == 1) line = text_encoding::withoutMark(line);
     if (number == 1 && isHeader(line)) continue;
     const auto pair = pairOf(line);
     const std::string where = file.string() + ":" + std::to_string(number) + ": ";

@@ -86,6 +86,10 @@ Result<double> readReal(const std::string& text) {
   if (hasLeadingZero(text)) return refused("a number", text, "; write it without leading zeros");
   double value = 0;
   const std::errc error = parseAll(text, value);
+  const bool tiny = text.find("e-") != std::string::npos || text.find("E-") != std::string::npos;
+  if (error == std::errc::result_out_of_range && tiny) {
+    return refused("0 or a number of at least 1e-307", text, "; write 0");
+  }
   if (error == std::errc::result_out_of_range || isNotFinite(text)) {
     return refused("a finite number", text, "");
   }

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <utility>
 
+#include "text_encoding.hpp"
+
 namespace tolman::config {
 namespace {
 
@@ -194,6 +196,10 @@ std::string lineOf(const std::string& text, int number) {
 std::string explained(const YAML::Exception& e, const std::string& line) {
   std::string message = e.msg;
   if (message == YAML::ErrorMsg::EOF_IN_SCALAR) return "a quote after this is never closed";
+  if (message.starts_with(YAML::ErrorMsg::INVALID_UNICODE)) {
+    return "this escape is no character; write one beyond \\uFFFF as \"\\U0001F600\", not as two "
+           "escapes";
+  }
   if (message == YAML::ErrorMsg::END_OF_MAP_FLOW) message = "a '{' has no '}'";
   if (message == YAML::ErrorMsg::END_OF_SEQ_FLOW) message = "a '[' has no ']'";
   const std::size_t first = line.find_first_not_of(" \t");
@@ -205,6 +211,12 @@ std::string explained(const YAML::Exception& e, const std::string& line) {
 }
 
 bool isText(const std::string& text, const Origin& source, Problems& problems) {
+  // A zero byte in other text is told below, with its column.
+  if (const std::string problem = text_encoding::encodingProblem(text);
+      problem.starts_with("is UTF-")) {
+    problems.push_back({source, "", problem});
+    return false;
+  }
   const auto bad = std::ranges::find_if(text, [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;

@@ -87,8 +87,8 @@ class SourceDriver final : public DriverOf<host::SourceStage, SourceProgress> {
   }
   Status checkEnd(const Status& end) const {
     if (info_.frames < 0 || info_.frames == now_.next) return end;
-    return Status::failed("info() promised " + std::to_string(info_.frames) + " frames, " +
-                          std::to_string(now_.next) + " were given");
+    return Status::failed("info() announced " + std::to_string(info_.frames) +
+                          " frames, but next() gave " + std::to_string(now_.next));
   }
   SourceInfo info_;
   bool has_info_ = false;

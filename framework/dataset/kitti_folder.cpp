@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "dataset/png_encoder.hpp"
+#include "record/output_places.hpp"
 #include "record/pose_files.hpp"
 
 namespace tolman::dataset {
@@ -19,7 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array kImageFolders = {"image_0", "image_1", "image_2", "image_3", "depth_0"};
+constexpr std::array<std::string_view, 5> kImageFolders = {"image_0", "image_1", "image_2",
+                                                           "image_3", "depth_0"};
 constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
 
 /// Marks a folder as a rendering. It is written first, because --force replaces only marked
@@ -63,17 +65,6 @@ bool isAmong(std::int64_t frames, const fs::path& file) {
   return index >= 0 && index < frames && file.filename() == imageName(index);
 }
 
-/// Refuses symbolic links: files would be removed and written in another folder.
-Status refuseLinks(const fs::path& folder) {
-  std::error_code ignored;
-  for (const char* name : kImageFolders) {
-    if (!fs::is_symlink(folder / name, ignored)) continue;
-    return Status::failed((folder / name).string() +
-                          ": is a link to another folder; remove it, or choose another --out");
-  }
-  return Status::ok();
-}
-
 bool hasNothingButMark(const fs::path& folder) {
   std::error_code failure;
   const fs::directory_iterator entries(folder, failure);
@@ -95,7 +86,10 @@ Status mayBeWritten(const fs::path& folder, bool replace) {
     return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
                           "), so --force does not replace it; choose another --out");
   }
-  return refuseLinks(folder);
+  std::vector<fs::path> texts;
+  for (const std::string_view name : kTextFiles) texts.push_back(folder / name);
+  const Status status = record::refuseFolders(texts, "--out");
+  return status.isOk() ? record::refuseLinks(folder, kImageFolders) : status;
 }
 
 /// Of an unfinished rendering it is not known which images it wrote: all that have such names.
@@ -103,8 +97,8 @@ void removeEarlier(const fs::path& folder) {
   std::error_code ignored;
   const auto written = writtenImages(folder);
   for (const char* name : kTextFiles) fs::remove(folder / name, ignored);
-  for (const char* name : kImageFolders) {
-    if (written && !written->folders.contains(name)) continue;
+  for (const std::string_view name : kImageFolders) {
+    if (written && !written->folders.contains(std::string(name))) continue;
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
       const bool is_ours = written ? isAmong(written->frames, entry.path()) : isOurs(entry.path());
@@ -154,6 +148,7 @@ std::string timesText(const std::vector<std::int64_t>& stamps_ns) {
 }
 
 Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
+  if (Status status = record::refuseRunFolders(folder, "--out"); !status.isOk()) return status;
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (!fs::is_directory(folder)) {

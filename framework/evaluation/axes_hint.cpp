@@ -24,7 +24,7 @@ Eigen::Vector3d step(const Trajectory& path, std::size_t i) {
   return (path[i - 1].T_world_camera.inverse() * path[i].T_world_camera).translation();
 }
 
-/// Sums over all steps; weighted by length, so that standing still counts for nothing.
+/// Sums over all steps, weighted by length: a camera at rest has no direction of motion.
 struct Steps {
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  ///< of true and estimated steps
   double lengths = 0;                                  ///< products of their lengths
@@ -88,7 +88,7 @@ double errorWithOrientations(const Matches& aligned) {
     mean += aligned.estimate[i].T_world_camera.translation();
   }
   mean /= static_cast<double>(aligned.truth.size());
-  const Eigen::Matrix3d turn = Eigen::Affine3d(sum).rotation();  // the nearest one
+  const Eigen::Matrix3d turn = Eigen::Affine3d(sum).rotation();  // nearest rotation
   const Similarity about_mean{1, turn, mean - turn * mean};
   return absoluteError(evaluation::aligned(aligned, about_mean)).rmse;
 }
@@ -96,7 +96,7 @@ double errorWithOrientations(const Matches& aligned) {
 }  // namespace
 
 bool isTurnedFreely(const Matches& aligned) {
-  constexpr double kFree = 0.01;  // of the true path; the first metres of KITTI 06 have 0.002
+  constexpr double kFree = 0.01;  // of the true path; 0.002 on the first metres of KITTI 06
   return orientationsApart(aligned) > kReversed &&
          errorWithOrientations(aligned) <= kFree * pathLength(aligned.truth);
 }
@@ -168,7 +168,7 @@ std::string upHint(const Trajectory& truth) {
 
 std::string unitHint(const Matches& matches) {
   constexpr double kFactor = 50;
-  constexpr double kMin = 0.1;  // m; shorter paths say nothing
+  constexpr double kMin = 0.1;  // m; the ratio of shorter paths is not meaningful
   const double truth = pathLength(matches.truth);
   const double estimate = pathLength(matches.estimate);
   constexpr double kShort = 2.0 / 3;  // noise makes a path longer, never shorter; chosen, not tuned

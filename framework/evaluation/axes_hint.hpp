@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects poses that are not what they are read as: truth in other axes than those of the estimate
-// (poses of the vehicle's body instead of the camera, world-to-camera poses), quaternions in
-// another order, positions in another unit than metres. An alignment moves the world of the
-// estimate, not its camera, so position errors alone do not show wrong rotations.
+// Detects poses in another convention than the expected one: truth in other axes than those of the
+// estimate (poses of the vehicle's body instead of the camera, world-to-camera poses), quaternions
+// in another order, positions in another unit than metres. An alignment transforms the world of the
+// estimate, not its camera axes, so position errors alone do not show wrong rotations.
 #pragma once
 
 #include <string>
@@ -22,9 +22,10 @@ std::string axesHint(const Matches& matches);
 /// for mirrored positions; else empty.
 std::string rotationHint(const Matches& aligned);
 
-/// Whether the alignment turned the estimate by more than 90 degrees (median) against its own
-/// orientations although the positions agree within a hundredth of the true path with the turn that
-/// the orientations have: the path is nearly straight, and small errors decide the turn about it.
+/// Whether the aligned orientations differ by more than 90 degrees (median) from the true ones, but
+/// the positions also agree, within a hundredth of the true path, after the rotation that aligns
+/// the orientations: the path is nearly straight, so the positions hardly determine the rotation
+/// about it.
 bool isTurnedFreely(const Matches& aligned);
 
 /// A sentence if the poses move along their own x axis and more along the y than along the z axis

@@ -19,7 +19,7 @@ Json scoreJson(const std::optional<UnitScore>& score) {
   return {{"median", score->median},
           {"chance", score->chance},
           {"shuffled_median", score->shuffled_median},
-          {"share_above_chance", score->share_above}};
+          {"share_above_chance", score->share_better}};
 }
 
 Json ringJson(const RingFigures& ring) {

@@ -39,7 +39,8 @@ struct TuningCurve {
   double preferred = 0;  ///< rad in [0, 2 pi)
   /// rad, half the width of the curve at half of its peak, as the rat's head direction cells are
   /// measured (Taube, Muller, Ranck 1990); pi for a curve that never falls to half. Bins without
-  /// visits are interpolated. None where fewer than half of all bins were visited.
+  /// visits are interpolated. None where fewer than half of all bins were visited, or without
+  /// activity.
   std::optional<double> half_width;
 };
 TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins);

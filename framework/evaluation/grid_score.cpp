@@ -21,7 +21,7 @@ constexpr double kCentralPeak = 0.2;
 constexpr double kNearest = 1.25;
 constexpr int kMinReach = 4;          // bins
 constexpr double kLongest = 2.0 / 3;  // largest displacement, share of the map's shorter side
-constexpr int kAngles = 120;          // of a full turn
+constexpr int kAngles = 120;          // samples of a full turn
 constexpr std::array<int, 4> kRotations = {10, 15, 20, 30};  // 30, 45, 60, 90 degrees
 
 /// Sums for Pearson's correlation.
@@ -102,7 +102,7 @@ int nearestPeaks(const std::vector<double>& mean, int centre) {
   return static_cast<int>(best);
 }
 
-/// Whether no neighbour is higher; unknown correlations are no neighbours.
+/// Whether no neighbour is higher. Neighbours that are NaN are ignored.
 bool isPeak(const Eigen::MatrixXd& r, Eigen::Index i, Eigen::Index j) {
   if (std::isnan(r(i, j))) return false;
   for (Eigen::Index a = std::max<Eigen::Index>(i - 1, 0); a <= std::min(i + 1, r.rows() - 1); ++a) {
@@ -114,8 +114,9 @@ bool isPeak(const Eigen::MatrixXd& r, Eigen::Index i, Eigen::Index j) {
   return true;
 }
 
-/// Mean distance of the peaks around the centre, in bins. `ring` is the maximum of the radial mean,
-/// which lies further out: the flank of a square lattice's ring holds its diagonal neighbours.
+/// Mean distance of the nearest peaks around the centre, in bins. `ring` is the distance at which
+/// the radial mean has its maximum. It is larger, because on a square lattice the diagonal
+/// neighbours contribute to the radial mean as well.
 double peakDistance(const Eigen::MatrixXd& r, int reach, int ring) {
   constexpr double kInner = 0.6;                 // of the ring
   constexpr double kTogether = 1.2;              // of the smallest distance

@@ -22,8 +22,8 @@ struct GridScores {
   /// Sargolini et al., "Conjunctive representation of position, direction, and velocity in
   /// entorhinal cortex", Science 312, 2006. About 1 and more for a hexagonal lattice.
   double sargolini = 0;
-  /// The same of the best of all rings that grow outwards from the central peak: Langston et al.,
-  /// "Development of the spatial representation system in the rat", Science 328, 2010.
+  /// The largest such score of all rings from the central peak to a growing radius: Langston et
+  /// al., "Development of the spatial representation system in the rat", Science 328, 2010.
   double langston = 0;
   /// r(90) - r(45) of the ring of the nearest peaks: about 1 and more for a square lattice.
   double square = 0;

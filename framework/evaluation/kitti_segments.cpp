@@ -15,8 +15,9 @@ constexpr double kLongestOvershoot = 0.1;  // of a segment's length
 
 /// The length that the errors of a segment are divided by. It is the nominal length, as in KITTI's
 /// program, if the segment ends at the first true pose beyond it; the true length, if true poses
-/// before that end have no estimate; none, if that makes the segment too long, if it ends in
-/// another piece of the path, or if it is shorter than half of the way between two frames.
+/// before that end have no estimate. None if that makes the segment too long, if it ends in another
+/// piece of the path, or if its true length is more than twice the nominal one, because frames are
+/// far apart.
 std::optional<double> lengthOf(const Matches& matches, std::size_t from, std::size_t to,
                                double nominal) {
   if (!matches.inOnePiece(from, to)) return std::nullopt;

@@ -35,7 +35,7 @@ struct Scores {
 
 struct TrajectoryMetrics {
   double path_length_m = 0;  ///< of the aligned estimate; without scores in its own units
-  bool in_metres = true;     ///< false: a single camera, and no truth that tells the scale
+  bool in_metres = true;     ///< false: a single camera, and no truth that determines the scale
   std::size_t poses = 0;
   std::size_t matched = 0;
   std::optional<Scores> scores;

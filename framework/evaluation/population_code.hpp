@@ -26,8 +26,8 @@ struct ModulePhase {
   Eigen::Vector2d phase = Eigen::Vector2d::Zero();  ///< x and y
   double period = 1;
 };
-/// Why a population gives no position in metres; empty for a sheet with axes x and y in m and equal
-/// periods.
+/// Why a population gives no position in metres; empty for two axes that are named x or y, have the
+/// unit m and equal periods.
 std::string noPositionReason(const ArrayInfo& sheet);
 /// `sheet` must have an empty noPositionReason(). None where the activity has no phase.
 std::optional<ModulePhase> modulePhase(std::span<const float> rates, const ArrayInfo& sheet);

@@ -12,9 +12,9 @@ namespace tolman::evaluation {
 namespace {
 
 constexpr double kFarthest = 1e7;             // m
-constexpr std::size_t kMaxOthers = 240;       // more columns than this cannot be told apart
-constexpr std::size_t kMaxFrames = 5000;      // of a population; halved when reached
-constexpr std::size_t kMaxValues = 10000000;  // of a population
+constexpr std::size_t kMaxOthers = 240;       // frames; a figure cannot show more columns
+constexpr std::size_t kMaxFrames = 5000;      // of a population; beyond it every second is dropped
+constexpr std::size_t kMaxValues = 10000000;  // of a population, all frames together
 constexpr std::size_t kMaxRingUnits = 72;
 
 /// At most `most` indices below `count`, evenly spaced.

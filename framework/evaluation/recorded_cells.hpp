@@ -22,7 +22,7 @@ struct StampedPose {
   std::int64_t stamp_ns = 0;
 };
 using StampedPoses = std::unordered_map<std::int64_t, StampedPose>;
-/// Poses farther away than 10,000 km are left out.
+/// Poses with a coordinate of 10,000 km and more are left out.
 StampedPoses stampedPosesOf(const Trajectory& trajectory);
 
 /// One array at evenly spaced frames.
@@ -41,7 +41,7 @@ struct PopulationHistory {
 struct CellHistory {
   std::vector<PopulationHistory> rings;   ///< head direction: activity over one axis of angles
   std::vector<PopulationHistory> sheets;  ///< grid modules: activity over two periodic axes
-  std::vector<PopulationHistory> others;  ///< all other arrays, at 240 frames at most
+  std::vector<PopulationHistory> others;  ///< all other arrays, at no more than 240 frames
 
   CellHistory() = default;
   explicit CellHistory(const std::vector<ArrayInfo>& infos);

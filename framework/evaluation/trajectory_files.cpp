@@ -16,12 +16,14 @@
 #include <string_view>
 #include <system_error>
 
+#include "text_encoding.hpp"
+
 namespace tolman::evaluation {
 namespace {
 
 // Rotations in files are rounded; a matrix with a larger error is not accepted as a rotation.
 constexpr double kRotationTolerance = 1e-2;
-// Largest position, m: no vehicle drives as far, and the squares of all errors are finite.
+// Largest position, m: beyond any vehicle, and the squares of all errors are finite.
 constexpr double kLargestPosition = 1e9;
 // Largest stamp, s (the year 2096): differences of two stamps in ns fit into 64 bits.
 constexpr double kLatest = 4e9;
@@ -143,14 +145,14 @@ LineReader formatOf(const std::vector<std::string_view>& entries) {
 
 void append(Trajectory& trajectory, TrajectoryPose pose, bool has_stamps) {
   if (has_stamps && !trajectory.empty() && pose.stamp_ns <= trajectory.back().stamp_ns) {
-    throw LineError("the stamp does not grow; sort the file and remove doubles");
+    throw LineError("the stamp does not increase; sort the file and remove duplicates");
   }
   pose.frame = static_cast<std::int64_t>(trajectory.size());
   trajectory.push_back(pose);
 }
 
-/// Notices a file that was cut within the last number of a line: the last line has no end, and the
-/// number fewer decimals than that of every line before.
+/// Detects a file that was cut within the last number of a line: the last line has no line break,
+/// and its last number has fewer decimals than that of every line before.
 class CutLine {
  public:
   void check(std::string_view last_word, bool has_end) {
@@ -173,7 +175,7 @@ constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 /// The next bytes of a file or pipe, appended to `text`; EndOfStream at its end, which a pipe has
 /// where no program writes to it.
 Status readMore(int file, std::string& text) {
-  constexpr int kPatience_ms = 60'000;
+  constexpr int kTimeout_ms = 60'000;
   std::array<char, 1 << 16> bytes;
   const ssize_t count = ::read(file, bytes.data(), bytes.size());
   if (count == 0) return Status::endOfStream();
@@ -185,12 +187,12 @@ Status readMore(int file, std::string& text) {
     return Status::invalidInput(std::generic_category().message(errno) + "; check the disk");
   }
   pollfd waiting{file, POLLIN, 0};
-  return ::poll(&waiting, 1, kPatience_ms) != 0
+  return ::poll(&waiting, 1, kTimeout_ms) != 0
              ? Status::ok()
              : Status::invalidInput("nothing came through this pipe for 60 s; give a file");
 }
 
-/// All of a file, or of a pipe, whose end is waited for as long as something comes.
+/// The text of a file, or of a pipe until its end. Fails if a pipe gives nothing for 60 s.
 Result<std::string> textOf(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (file < 0) {
@@ -215,15 +217,17 @@ Result<std::string> textOf(const std::filesystem::path& path) {
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
-  Result<std::string> text = textOf(file);
+  const Result<std::string> text = textOf(file);
   if (!text.isOk()) return Status::invalidInput(file.string() + ": " + text.status().message());
-  std::istringstream stream(std::move(text).value());
+  if (const std::string problem = text_encoding::encodingProblem(text.value()); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
+  }
+  std::istringstream stream(std::string(text_encoding::withoutMark(text.value())));
   Trajectory trajectory;
   LineReader reader = nullptr;
   CutLine cut_line;
   std::string line;
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
-    if (number_of_line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // of UTF-8
     try {
       const std::vector<std::string_view> entries = words(line);
       if (entries.empty()) continue;

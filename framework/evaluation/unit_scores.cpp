@@ -12,7 +12,8 @@ using Value = std::optional<double>;
 
 constexpr int kTuningBins = 36;
 /// Bins of a rate map per period: a grid field, half a period wide, spans four bins. kMaxBins
-/// limits the time for the pairs of bins of an autocorrelogram to a millisecond.
+/// bounds the time of an autocorrelogram, which grows with the square of the number of visited
+/// bins.
 constexpr double kBinsOfPeriod = 8;
 constexpr double kMaxBins = 40;
 constexpr double kMaxDrawnBins = 70;
@@ -114,10 +115,10 @@ std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<do
   std::ranges::sort(shuffled);
   UnitScore score{percentile(units, 0.5), 0, percentile(shuffled, 0.5), 0};
   score.chance = percentile(shuffled, better == Better::More ? 0.95 : 0.05);
-  const auto above = std::ranges::count_if(units, [&](double value) {
+  const auto better_units = std::ranges::count_if(units, [&](double value) {
     return better == Better::More ? value > score.chance : value < score.chance;
   });
-  score.share_above = static_cast<double>(above) / static_cast<double>(units.size());
+  score.share_better = static_cast<double>(better_units) / static_cast<double>(units.size());
   return score;
 }
 

@@ -27,9 +27,9 @@ std::optional<ErrorFigures> errorFigures(std::vector<double> errors);
 /// shifted in time.
 struct UnitScore {
   double median = 0;           ///< of the units
-  double chance = 0;           ///< 95th percentile of the shifted units; 5th if less is better
+  double chance = 0;           ///< 95th percentile of the shifted units; the 5th if less is better
   double shuffled_median = 0;  ///< of the shifted units
-  double share_above = 0;      ///< of the units that are better than chance
+  double share_better = 0;     ///< share of the units that are better than chance
 };
 enum class Better { More, Less };
 /// None where no unit, or no shifted unit, has the score.
@@ -43,10 +43,12 @@ struct RecordedUnits {
   double seconds = 0;                     ///< duration of the walk
 };
 
-/// The firing rate map of unit `unit` for figures. Its bins are wider than the steps of the walk;
-/// otherwise each visit would be a field of its own.
+/// The firing rate map of a unit for figures, of at most 70 bins a side. Bins are at least 1.5
+/// times as wide as the mean step of the walk; in narrower ones each visit would be a field of its
+/// own.
 RateMap firingMap(const RecordedUnits& units, std::size_t unit);
-/// The rate map for grid scores: a field spans four bins. `period`: of the units, m; 0: not known.
+/// The rate map for grid scores, of at most 40 bins a side: a field, half a period wide, spans at
+/// most four bins. `period`: of the units, m; 0: not known.
 RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period);
 
 /// Circular shifts in time pair each place with the activity of another time, which gives the score

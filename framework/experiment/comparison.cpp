@@ -12,6 +12,7 @@
 #include "experiment/comparison_notes.hpp"
 #include "experiment/mixtures.hpp"
 #include "experiment/repeated_rows.hpp"
+#include "record/output_places.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -164,57 +165,69 @@ class Comparer {
     return Status::ok();
   }
 
+  /// Merges runs with the same factors, seed and results.
   Status countOnce() {
     const Result<std::string> repeated = mergeRepeats(rows_);
     if (repeated.isOk() && !repeated.value().empty()) note(repeated.value());
     return repeated.status();
   }
 
-  /// Runs outside a sweep are levels of their own, and may have the same factors.
+  /// Removes directories outside a sweep that were given twice. Such runs are levels of their own,
+  /// and may have the same factors.
   Status namedOnce() {
     std::set<std::filesystem::path> known;
     const std::size_t repeated = std::erase_if(rows_, [&](const RunRow& row) {
-      std::error_code ignored;
       return row.is_alone && !row.directory.empty() &&
-             !known.insert(std::filesystem::weakly_canonical(row.directory, ignored)).second;
+             !known.insert(record::truePath(row.directory)).second;
     });
     if (repeated > 0) note(fmt::format("{} runs were given twice. They count once.", repeated));
     return Status::ok();
   }
 
-  void warnOfEqualResults() {
+  struct SettingCounts {
+    std::size_t all = 0;
+    std::size_t equal = 0;  ///< settings in which several seeds gave the same results
+  };
+  /// Counts the settings (equal labels except the seed), and sets fewest_.
+  SettingCounts countSettings() {
     std::map<std::string, std::set<std::string>> results;
-    std::map<std::string, std::size_t> counts;
+    std::map<std::string, std::size_t> runs;
     for (const RunRow& row : rows_) {
       const std::string setting = row.labelsWithout("seed");
       results[setting].insert(row.results);
-      ++counts[setting];
+      ++runs[setting];
     }
-    std::size_t equal = 0;
-    for (const auto& [cell, count] : counts) {
-      const std::size_t different = results[cell].size();
-      if (different < count) ++equal;
+    SettingCounts counts{runs.size(), 0};
+    for (const auto& [setting, count] : runs) {
+      const std::size_t different = results[setting].size();
+      if (different < count) ++counts.equal;
       fewest_ = std::min(fewest_, different);
     }
+    return counts;
+  }
+
+  void warnOfEqualResults() {
+    const auto [settings, equal] = countSettings();
     if (equal > 0) {
       note(fmt::format(
           "In {} of {} settings several seeds gave the same results, byte for byte. They say "
           "nothing of the spread: they count as one run where intervals need at least three, "
           "while means, medians and sd are over all runs.",
-          equal, counts.size()));
+          equal, settings));
     }
     std::set<std::string> own;
     for (const RunRow& row : rows_) own.insert(row.label("sequence") + row.results);
-    const std::vector<std::string> useless =
+    const std::vector<std::string> without_effect =
         own.size() < rows_.size() ? factorsWithoutEffect(rows_) : std::vector<std::string>();
-    if (equal > 0 && !useless.empty()) {
-      note(config::listed(useless) + " changes nothing, byte for byte.");
+    if (equal > 0 && !without_effect.empty()) {
+      note(config::listed(without_effect) + " changes nothing, byte for byte.");
     }
     if (equal == 0 && own.size() < rows_.size()) {
       note(fmt::format("Only {} of {} runs have results of their own, byte for byte: {}.",
                        own.size(), rows_.size(),
-                       useless.empty() ? "some levels of a factor change nothing"
-                                       : config::listed(useless) + " changes nothing"));
+                       without_effect.empty()
+                           ? "some levels of a factor change nothing"
+                           : config::listed(without_effect) + " changes nothing"));
     }
     if (fewest_ < kMinSeeds) {
       note(
@@ -252,9 +265,9 @@ class Comparer {
     return means;
   }
 
-  Status fillLevels() {
-    std::vector<std::string> order;
-    std::map<std::string, Values> values;
+  /// The values of all runs by level. `order`: the levels in the order of the rows.
+  Status collectValues(std::vector<std::string>& order,
+                       std::map<std::string, Values>& values) const {
     for (const RunRow& row : rows_) {
       const std::string level = levelOf(row);
       if (!values.contains(level)) order.push_back(level);
@@ -263,6 +276,33 @@ class Comparer {
           values[level][row.label("sequence")].try_emplace(restOf(row), run);
       if (!is_new) return oneSetting(*other->second.row, row);
     }
+    return Status::ok();
+  }
+
+  Level makeLevel(const std::string& label, const std::map<std::string, Values>& values) const {
+    Level level{label, {}, {}, {}, {}, {}};
+    std::vector<std::vector<double>> groups;
+    for (const auto& [sequence, runs] : values.at(label)) {
+      SeedMeans means;
+      for (const auto& [rest, run] : runs) {
+        means[run.seed].push_back(run.value);
+        level.values.push_back(run.value);
+        level.directories.push_back(run.row->directory);
+      }
+      groups.push_back(meansOf(means));
+    }
+    level.summary = summaryOf(level.values);
+    if (fewest_ >= kMinSeeds) level.interval = bootstrapMean(groups, options_.seed);
+    if (label != comparison_.baseline) {
+      level.difference = difference(values.at(label), values.at(comparison_.baseline));
+    }
+    return level;
+  }
+
+  Status fillLevels() {
+    std::vector<std::string> order;
+    std::map<std::string, Values> values;
+    if (Status status = collectValues(order, values); !status.isOk()) return status;
     sort(order);
     comparison_.baseline = options_.baseline.empty() ? order.front() : options_.baseline;
     if (!values.contains(comparison_.baseline)) {
@@ -270,25 +310,7 @@ class Comparer {
                                       config::didYouMean(options_.baseline, order) +
                                       "; levels: " + config::listed(order));
     }
-    for (const std::string& label : order) {
-      Level level{label, {}, {}, {}, {}, {}};
-      std::vector<std::vector<double>> groups;
-      for (const auto& [sequence, runs] : values[label]) {
-        SeedMeans means;
-        for (const auto& [rest, run] : runs) {
-          means[run.seed].push_back(run.value);
-          level.values.push_back(run.value);
-          level.directories.push_back(run.row->directory);
-        }
-        groups.push_back(meansOf(means));
-      }
-      level.summary = summaryOf(level.values);
-      if (fewest_ >= kMinSeeds) level.interval = bootstrapMean(groups, options_.seed);
-      if (label != comparison_.baseline) {
-        level.difference = difference(values[label], values[comparison_.baseline]);
-      }
-      comparison_.levels.push_back(std::move(level));
-    }
+    for (const std::string& label : order) comparison_.levels.push_back(makeLevel(label, values));
     if (fewest_ >= kMinSeeds && order.size() > 1) noteFewSamples();
     const std::size_t runs = comparison_.levels.front().summary.n;
     if (!std::ranges::all_of(comparison_.levels,

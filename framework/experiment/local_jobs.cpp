@@ -20,6 +20,12 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kPoll(20);
 
+// Exit codes of docs/errors.md, for a run that has no process or did not write its outcome.
+constexpr int kNoProcess = 70;
+constexpr int kInterrupted = 130;
+constexpr int kNoProgram = 127;     // of a shell that cannot find the program
+constexpr int kSignalOffset = 128;  // of a shell: 128 plus the number of the signal
+
 struct Child {
   pid_t id = -1;
   std::size_t run = 0;  ///< index
@@ -30,7 +36,7 @@ struct Child {
 [[noreturn]] void becomeJob(const std::vector<char*>& arguments, const char* output, pid_t parent) {
   ::setpgid(0, 0);  // an interrupt from the terminal reaches the parent, which passes it on once
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) ::_exit(130);
+  if (::getppid() != parent) ::_exit(kInterrupted);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -42,7 +48,7 @@ struct Child {
   const int nothing = ::open("/dev/null", O_RDONLY);
   if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
   ::execv(arguments.front(), arguments.data());
-  ::_exit(127);
+  ::_exit(kNoProgram);
 }
 
 class Jobs {
@@ -60,10 +66,11 @@ class Jobs {
   }
 
   JobsState run() {
-    for (bool told = false; !children_.empty() || (!todo_.empty() && !stopping());) {
+    bool interrupted = false;  // the children have been
+    while (!children_.empty() || (!todo_.empty() && !stopping())) {
       if (!stopping()) startReady();
-      if (stopping() && !told) {
-        told = true;
+      if (stopping() && !interrupted) {
+        interrupted = true;
         for (const Child& child : children_) ::kill(child.id, SIGINT);
       }
       std::this_thread::sleep_for(kPoll);
@@ -76,7 +83,7 @@ class Jobs {
  private:
   bool stopping() const { return cancellation_.requested(); }
 
-  /// Whether the run whose answers it takes has not ended.
+  /// Whether a run whose answers or map this run uses has not ended.
   bool mustWait(const PlannedRun& run) const {
     return waiting_.contains(run.front_end_folder) || waiting_.contains(run.answers_folder);
   }
@@ -106,8 +113,8 @@ class Jobs {
       children_.push_back({id, index});
       return;
     }
-    end(index,
-        {PointState::Failed, 70, std::string("no process: ") + std::strerror(errno), 0, false});
+    end(index, {PointState::Failed, kNoProcess, std::string("no process: ") + std::strerror(errno),
+                0, false});
   }
 
   void collectEnded() {
@@ -128,10 +135,10 @@ class Jobs {
     const fs::path folder = sweep_ / runs_[index].folder;
     PointOutcome outcome = outcomeOf(folder);
     if (outcome.state == PointState::Done || outcome.state == PointState::Failed) return outcome;
-    if (stopping()) return {PointState::Interrupted, 130, "", 0, false};
+    if (stopping()) return {PointState::Interrupted, kInterrupted, "", 0, false};
     outcome.state = PointState::Failed;
     if (WIFSIGNALED(status)) {
-      outcome.exit_code = 128 + WTERMSIG(status);
+      outcome.exit_code = kSignalOffset + WTERMSIG(status);
       outcome.message = "the process was ended by signal " + std::to_string(WTERMSIG(status)) +
                         " (" + ::strsignal(WTERMSIG(status)) + ")";
     } else {

@@ -301,10 +301,10 @@ class Planner {
     std::map<std::string, PlannedRun*> first;  // by front end
     for (PlannedRun& run : runs) {
       if (!run.front_end_folder.empty()) continue;
-      const auto [leader, is_new] = first.try_emplace(run.front_end_sha256, &run);
+      const auto [shared, is_new] = first.try_emplace(run.front_end_sha256, &run);
       if (is_new) continue;
-      run.answers_folder = leader->second->folder;
-      leader->second->keeps_answers = true;
+      run.answers_folder = shared->second->folder;
+      shared->second->keeps_answers = true;
     }
   }
 

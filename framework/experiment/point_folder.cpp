@@ -49,8 +49,8 @@ Json jsonOf(const PlannedRun& run) {
           {"is_front_end", run.is_front_end}};
 }
 
-/// A folder's name ends with the begin of its run's key: point.json and results of another run do
-/// not become this one's by being copied here.
+/// A folder's name ends with the first characters of its run's key, so that point.json and results
+/// that are copied from another run are detected.
 bool isOwn(const Json& point, const fs::path& folder) {
   const auto found = point.find("key");
   if (found == point.end() || !found->is_string()) return false;

@@ -156,7 +156,10 @@ PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (outcome.state == PointState::Interrupted || cancellation.requested()) return outcome;
   const Status written = writeOutcome(folder, outcome);
-  if (!written.isOk()) outcome = {PointState::Failed, 8, written.message(), outcome.wall_s, false};
+  if (!written.isOk()) {
+    const int code = options.failure_code({FailureKind::Record, written.message()});
+    outcome = {PointState::Failed, code, written.message(), outcome.wall_s, false};
+  }
   return outcome;
 }
 

@@ -19,6 +19,7 @@
 #include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "run/run_names.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -96,48 +97,69 @@ void addConfigFactors(std::vector<RunRow*>& rows) {
   }
 }
 
+/// The fields of one line of a table of csvOf().
+using CsvLine = std::vector<std::string>;
+
+/// What is wrong with the first line of a table; empty if nothing is. `factors`: index of the
+/// column "alignment", which follows the factors.
+std::string headerFault(const CsvLine& names, std::size_t factors) {
+  if (factors < 1 || factors + 3 > names.size()) {
+    return "its first line has no alignment, truth and results after the factors";
+  }
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) == name) continue;
+    return "line 1 has two columns '" + *name + "'; rename or remove one of them";
+  }
+  return "";
+}
+
+/// Fills `row` from line number `line`. Returns what is wrong with it; empty if nothing is.
+std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t factors,
+                        std::size_t line, RunRow& row) {
+  if (fields.size() != names.size()) {
+    return fmt::format("line {} has {} fields, the first {}", line, fields.size(), names.size());
+  }
+  row.name = fields[0];
+  for (std::size_t k = 1; k < factors; ++k) row.factors.push_back({names[k], fields[k]});
+  row.alignment = fields[factors];
+  row.truth = fields[factors + 1];
+  row.results = fields[factors + 2];
+  for (std::size_t k = factors + 3; k < fields.size(); ++k) {
+    if (fields[k].empty()) continue;
+    const auto number = config::readReal(fields[k]);
+    if (!number.isOk()) {
+      return fmt::format("line {}, {}: '{}' is no number", line, names[k], fields[k]);
+    }
+    row.metrics[names[k]] = number.value();
+  }
+  return "";
+}
+
 /// Reads a table of csvOf(), with the factors between the columns name and alignment.
 Result<std::vector<RunRow>> readCsv(const fs::path& file) {
   std::ifstream stream = record::openRegular(file);
   if (!stream.is_open())
     return Status::invalidInput(file.string() + ": not a readable file; check the path");
-  const auto lines = csvRows({std::istreambuf_iterator<char>(stream), {}});
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (const std::string problem = text_encoding::encodingProblem(text); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
+  }
+  const std::vector<CsvLine> lines = csvRows(std::string(text_encoding::withoutMark(text)));
   const auto bad = [&](const std::string& why) {
     return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`: " + why);
   };
   if (lines.empty()) return bad("it is empty");
-  const auto begin = std::ranges::find(lines.front(), "alignment");
-  const auto factors = static_cast<std::size_t>(begin - lines.front().begin());
-  if (factors < 1 || factors + 3 > lines.front().size()) {
-    return bad("its first line has no alignment, truth and results after the factors");
-  }
-  for (auto name = lines.front().begin(); name != lines.front().end(); ++name) {
-    if (std::find(lines.front().begin(), name, *name) == name) continue;
-    return bad("line 1 has two columns '" + *name + "'; rename or remove one of them");
-  }
+  const CsvLine& names = lines.front();
+  const auto factors =
+      static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
+  if (const std::string fault = headerFault(names, factors); !fault.empty()) return bad(fault);
   if (lines.size() == 1) return bad("it has no line after the first");
   std::vector<RunRow> rows;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const auto& fields = lines[i];
-    if (fields.size() != lines.front().size()) {
-      return bad(fmt::format("line {} has {} fields, the first {}", i + 1, fields.size(),
-                             lines.front().size()));
-    }
     RunRow& row = rows.emplace_back();
-    row.name = fields[0];
     row.directory = file;
-    for (std::size_t k = 1; k < factors; ++k) row.factors.push_back({lines[0][k], fields[k]});
-    row.alignment = fields[factors];
-    row.truth = fields[factors + 1];
-    row.results = fields[factors + 2];
-    for (std::size_t k = factors + 3; k < fields.size(); ++k) {
-      if (fields[k].empty()) continue;
-      const auto number = config::readReal(fields[k]);
-      if (!number.isOk()) {
-        return bad(fmt::format("line {}, {}: '{}' is no number", i + 1, lines[0][k], fields[k]));
-      }
-      row.metrics[lines[0][k]] = number.value();
-    }
+    const std::string fault = readCsvLine(names, lines[i], factors, i + 1, row);
+    if (!fault.empty()) return bad(fault);
   }
   return rows;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs as rows: factors, and all numbers of metrics.json, and finish_s of run.json.
+// Runs as rows of a table: their factors, all numbers of metrics.json, and finish_s and exit_code
+// of run.json.
 #pragma once
 
 #include <filesystem>

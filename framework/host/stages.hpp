@@ -48,8 +48,8 @@ class SourceStage : public Stage<Source> {
  public:
   using Stage::Stage;
   Status info(SourceInfo& info);
-  /// Checks that frames are 0, 1, 2, ..., stamps increase, true poses were told, images are those
-  /// of the rig and arrays keep their shapes.
+  /// Checks that frames are 0, 1, 2, ..., stamps increase, true poses were announced by info(),
+  /// images fit the rig (frame_images.hpp), and arrays keep their shapes.
   Status next(Frame& frame);
   Status inspect(std::vector<Finding>& findings) {
     return call("inspect", -1, &Source::inspect, findings);
@@ -64,7 +64,7 @@ class SourceStage : public Stage<Source> {
   SourceInfo info_;
   ArrayShapes sensors_;
   std::int64_t first_frame_ = 0;
-  std::int64_t next_frame_ = 0;  ///< in the numbers of the plugin
+  std::int64_t next_frame_ = 0;  ///< as the plugin counts, from 0
   std::int64_t last_stamp_ns_ = 0;
 };
 

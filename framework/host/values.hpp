@@ -22,7 +22,7 @@ struct ValueProblem {
 
 inline constexpr const char* kIllegal = "the answer has NaN, infinity or an illegal value in '{}'";
 inline constexpr const char* kTooLarge =
-    "'{}' is larger than a record takes (1e100; integers 2^62)";
+    "'{}' is larger than a record takes: numbers to 1e100, integers to 2^62";
 inline constexpr const char* kTooFar = "'{}' is farther than a record takes (1e12 m)";
 inline constexpr const char* kNoRotation =
     "the rotation of '{}' is not orthonormal; use normalised()";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The connection between the host and the process of one plugin: a sequenced-packet socket for
 // short messages (a call, a reply, a log line), and one shared buffer in each direction for the
-// data of a call. When one process ends, the socket of the other is closed at once.
+// data of a call. When one process ends, receive() of the other returns Closed at once.
 #pragma once
 
 #include <array>
@@ -31,8 +31,7 @@ class Descriptor {
 /// The data of a message are the first `size` bytes of the sender's shared buffer.
 struct MessageHead {
   std::uint32_t kind = 0;
-  std::uint32_t detail =
-      0;  ///< number of the call that it makes or replies to; level of a log line
+  std::uint32_t detail = 0;  ///< number of the call (request, reply); level of a log line
   std::uint64_t size = 0;
 };
 

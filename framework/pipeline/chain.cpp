@@ -103,16 +103,16 @@ bool Chain::acceptMotion(FrameRecords& records) {
   if (!applyPolicy(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
   if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
   if (const std::string& reason = records.impossible.motion; !reason.empty()) {
-    tellImpossible(records.frame.frame, "the motion " + reason + "; it is predicted instead");
+    reportImpossible(records.frame.frame, "the motion " + reason + "; it is predicted instead");
   }
   if (const std::string& which = records.impossible.revision; !which.empty()) {
-    tellImpossible(records.frame.frame, "the revision " + which + "; it is left out");
+    reportImpossible(records.frame.frame, "the revision " + which + "; it is left out");
   }
   last_motion_ = records.motion;
   return true;
 }
 
-void Chain::tellImpossible(std::int64_t frame, const std::string& text) {
+void Chain::reportImpossible(std::int64_t frame, const std::string& text) {
   ++counters_.impossible;
   const FailureTally::Report report = failures_.count("impossible motions");
   if (report == FailureTally::Report::No) return;
@@ -286,16 +286,16 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
     FramePose pose{frame, Eigen::Isometry3d::Identity()};
     const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
     if (status.isOk()) poses.push_back(pose);
-    const bool is_unseen = status.code() == StatusCode::InvalidParameter;  // dropped, for example
-    if (!status.isOk() && !(is_unseen && frame < last_map_.frame)) return status;
+    const bool is_unknown = status.code() == StatusCode::InvalidParameter;  // dropped, for example
+    if (!status.isOk() && !(is_unknown && frame < last_map_.frame)) return status;
   }
   if (poses.size() >= mapped_) return Status::ok();
-  return Status::failed("poseOf() knows no pose of " + std::to_string(mapped_ - poses.size()) +
-                        " frames that update() took; the trajectories lack them");
+  return Status::failed("poseOf() has no pose for " + std::to_string(mapped_ - poses.size()) +
+                        " frames that update() accepted; the trajectories lack them");
 }
 
-/// Reads the final poses from the map, because a map that rejects a loop link also moves the frames
-/// that were attached to an experience by it.
+/// The poses are read from the map again, because a map that rejects a loop link also moves the
+/// frames that were attached to an experience by it.
 void Chain::publishTrajectory(std::vector<FramePose>& poses) {
   (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
   const Status published = listener_.onTrajectory(poses);
@@ -311,9 +311,7 @@ Status Chain::finalGraph(const std::vector<FramePose>& poses, MapGraph& graph) {
   });
 }
 
-void Chain::finish() {
-  const bool had_failed = failed();
-  if (unanswered_ >= 0) stages_.map.forgetFrom(unanswered_);
+void Chain::completeCounters() {
   // An odometry that is Initialising again at the end, after it has tracked, counts as lost.
   const bool starting = last_motion_.state == TrackingState::Initialising;
   if (starting && counters_.tracked() > 0) counters_.lost_at_end = true;
@@ -327,30 +325,36 @@ void Chain::finish() {
     listener_.onEvent(
         {-1, LogLevel::Warning, "odometry", std::string(counters_.neverTrackedText())});
   }
+}
+
+std::vector<MotionRevision> Chain::finishStages() {
   std::vector<MotionRevision> revisions;
-  MapGraph graph;
-  const auto step = [&](Role role, config::FailurePolicy policy, const auto& work) {
-    const Status status = timed(finish_times_ns_, role, work);
-    (void)applyPolicy(status, policy, -1, role);
-    return status.isOk();
-  };
   Impossible impossible;
-  step(Role::Odometry, policies_.odometry,
-       [&] { return stages_.odometry.finish(revisions, impossible); });
+  finishing(Role::Odometry, policies_.odometry,
+            [&] { return stages_.odometry.finish(revisions, impossible); });
   if (!impossible.revision.empty()) {
-    tellImpossible(-1, "the revision " + impossible.revision + "; it is left out");
+    reportImpossible(-1, "the revision " + impossible.revision + "; it is left out");
   }
-  step(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
-  step(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
+  finishing(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
+  finishing(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
-  step(Role::Map, policies_.map, [&] { return stages_.map.checkLastPose(); });
-  step(Role::Map, policies_.map, [&] { return stages_.map.finish(revisions); });
+  finishing(Role::Map, policies_.map, [&] { return stages_.map.checkLastPose(); });
+  finishing(Role::Map, policies_.map, [&] { return stages_.map.finish(revisions); });
+  return revisions;
+}
+
+void Chain::finish() {
+  const bool had_failed = failed();
+  if (unanswered_ >= 0) stages_.map.forgetFrom(unanswered_);
+  completeCounters();
+  const std::vector<MotionRevision> revisions = finishStages();
   std::vector<FramePose> poses;
   publishTrajectory(poses);
+  MapGraph graph;
   const auto read_graph = [&] { return finalGraph(poses, graph); };
   // After a failure the graph may name a frame without a record. This is not a further failure.
   if (had_failed ? timed(finish_times_ns_, Role::Map, read_graph).isOk()
-                 : step(Role::Map, policies_.map, read_graph)) {
+                 : finishing(Role::Map, policies_.map, read_graph)) {
     countGraph(graph);
   } else {
     if (policies_.map == config::FailurePolicy::Stop) return;

@@ -39,8 +39,9 @@ struct StageFailure {
   Status status;
 };
 
-/// The work of each stage on one frame. odometry() and place() may run at the same time;
-/// runCellsAndMap() and publish() take one frame at a time, in order.
+/// Calls the stages for each frame and counts their answers. odometry() and place() may run at the
+/// same time, also for different frames; each function must be called for one frame at a time, in
+/// the order of frames.
 class Chain {
  public:
   /// The stages must be configured already.
@@ -63,9 +64,8 @@ class Chain {
   /// listener.
   void finish();
 
-  /// Whether place, cells and map can all save their state.
-  /// Passes the state after the last processed frame to the listener. No frame may be in the
-  /// stages.
+  /// Passes the state after the last processed frame to the listener. Does nothing after a failure,
+  /// or if place, cells and map cannot all save their state. No stage may be working on a frame.
   void saveNow();
   /// Continues after a checkpoint; call it before the first frame is admitted. The stages must have
   /// the state of the checkpoint.
@@ -86,7 +86,7 @@ class Chain {
   int placeBacklog() const { return place_backlog_; }
   /// Time that finish() of each stage took.
   const StageTimes& finishTimes() const { return finish_times_ns_; }
-  /// Which stages work at this moment, including the source and finish().
+  /// The stages that are being called at this moment, the source and finish() included.
   StageActivity& stageActivity() { return activity_; }
   const RunCounters& counters() const { return counters_; }
   RunCounters& counters() { return counters_; }
@@ -94,22 +94,34 @@ class Chain {
   Listener& listener() { return listener_; }
 
  private:
-  // Whether the run goes on after this answer, a failure included (`on_failure`).
+  /// Whether the run continues after an answer with this status (`on_failure` of the stage).
   bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
                    Role role);
   bool acceptMotion(FrameRecords& records);
-  void tellImpossible(std::int64_t frame, const std::string& text);
+  void reportImpossible(std::int64_t frame, const std::string& text);
   bool acceptObservation(FrameRecords& records);
   bool runCells(FrameRecords& records);
   bool runMap(FrameRecords& records);
   void publishGraph(FrameRecords& records);
   void count(const FrameRecords& records);
   void countGraph(const MapGraph& graph);
+  /// Calls finish() of odometry, place, cells and map. Returns the revisions of odometry.
+  std::vector<MotionRevision> finishStages();
+  /// Calls `work` of finish(), adds its time, and applies the policy of the role. False on failure.
+  template <class Work>
+  bool finishing(Role role, config::FailurePolicy policy, const Work& work) {
+    const Status status = timed(finish_times_ns_, role, work);
+    (void)applyPolicy(status, policy, -1, role);
+    return status.isOk();
+  }
+  /// Completes the counters; reports dropped frames, and a run without motion.
+  void completeCounters();
   Status readTrajectory(std::vector<FramePose>& poses) const;
+  /// Reads the final poses into `poses` and passes them to the listener.
   void publishTrajectory(std::vector<FramePose>& poses);
   /// The final graph, checked against the final poses.
   Status finalGraph(const std::vector<FramePose>& poses, MapGraph& graph);
-  /// Calls `work`, marks the role as active meanwhile, and adds the time to `times`.
+  /// Calls `work`, marks the role as active during the call, and adds its time to `times`.
   template <class Work>
   Status timed(StageTimes& times, Role role, const Work& work) {
     const StageTimer timer(times, role);
@@ -127,7 +139,7 @@ class Chain {
   RunCounters counters_;
   StageActivity activity_;
   StageTimes finish_times_ns_{};
-  std::int64_t unanswered_ = -1;  ///< the frame at which a failure ended the answers; -1: none
+  std::int64_t unanswered_ = -1;  ///< first frame without answers, because a stage failed; -1: none
   std::optional<StageFailure> failure_;
   std::optional<Status> input_failure_;
   FailureTally failures_;  // by role

@@ -38,8 +38,8 @@ Status CheckedOdometry::track(const Frame& frame, Motion& motion, Impossible& im
     motion = std::move(predicted);
   }
   filter(motion.revisions, impossible.revision);
-  predicted_.takeOut(motion);
-  for (MotionRevision& revision : motion.revisions) predicted_.takeOut(revision);
+  predicted_.subtractFrom(motion);
+  for (MotionRevision& revision : motion.revisions) predicted_.subtractFrom(revision);
   remember(motion);
   return status;
 }
@@ -53,7 +53,7 @@ void CheckedOdometry::remember(const Motion& motion) {
 Status CheckedOdometry::finish(std::vector<MotionRevision>& revisions, Impossible& impossible) {
   const Status status = odometry_.finish(revisions);
   filter(revisions, impossible.revision);
-  for (MotionRevision& revision : revisions) predicted_.takeOut(revision);
+  for (MotionRevision& revision : revisions) predicted_.subtractFrom(revision);
   return status;
 }
 

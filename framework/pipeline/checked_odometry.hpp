@@ -10,7 +10,7 @@
 #include "host/stages.hpp"
 #include "imaging/frame_check.hpp"
 #include "pipeline/motion_check.hpp"
-#include "pipeline/predicted_way.hpp"
+#include "pipeline/predicted_span.hpp"
 
 namespace tolman::pipeline {
 
@@ -53,7 +53,7 @@ class CheckedOdometry {
   bool check_images_;
   imaging::FrameCheck frame_check_;
   MotionCheck motion_check_;
-  PredictedWay predicted_;
+  PredictedSpan predicted_;
   Motion last_;
   std::vector<Answered> answered_;   ///< of all frames so far, in order
   std::set<std::int64_t> replaced_;  ///< frames with an impossible motion

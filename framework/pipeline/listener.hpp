@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Receives the frames and events of a run. The host implements it with recorder and observers.
+// Receives the frames and events of a run. The engine implements it with recorder and observers
+// (run/run_listener.hpp).
 #pragma once
 
 #include <cstdint>
@@ -26,8 +27,8 @@ class Listener {
   /// A failure stops the run. The snapshot comes without events.
   virtual Status onFrame(const Snapshot& snapshot) = 0;
   virtual void onEvent(const Event& event) = 0;
-  /// Whether onCheckpoint() shall follow onFrame(). Called once for each frame before it enters the
-  /// stages.
+  /// Whether the stages shall save their state after the next frame, for onCheckpoint(). Called
+  /// once for each frame before it enters the stages.
   virtual bool checkpointDue() { return false; }
   /// A failure stops the run.
   virtual Status onCheckpoint(const Checkpoint& /*checkpoint*/) { return Status::ok(); }

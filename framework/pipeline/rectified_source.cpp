@@ -39,9 +39,9 @@ Status RectifiedSource::prepareCut(CameraRig& rig) {
 
 Status RectifiedSource::prepare(CameraRig& rig) {
   maps_.clear();
-  left_alone_ = false;
+  left_only_ = false;
   if (settings_.mode == config::RectificationMode::Off) {
-    left_alone_ = true;
+    left_only_ = true;
     text_ = "raw images, not rectified, of the left camera alone";
     return Status::ok();
   }
@@ -70,7 +70,7 @@ Status RectifiedSource::prepare(CameraRig& rig) {
 Status RectifiedSource::next(Frame& frame) {
   const Status status = SourceStage::next(frame);
   if (!status.isOk()) return status;
-  if (left_alone_) frame.right = {};
+  if (left_only_) frame.right = {};
   if (maps_.empty() && cut_.isWhole()) return status;
   const auto begin = std::chrono::steady_clock::now();
   withoutOtherTasks([&] { change(frame); });

@@ -35,11 +35,11 @@ class RectifiedSource : private host::SourceStage {
   const RawRig& rawRig() const { return raw_; }
   /// Whether the source does not know its number of frames (a live source); after info().
   bool isEndless() const { return is_endless_; }
-  /// How the images are rectified, for people; empty if they are not. After info().
+  /// How the images are rectified, as text for the user; empty if they are not. After info().
   const std::string& text() const { return text_; }
-  /// How the images are cropped and scaled, for people; empty for whole images. After info().
+  /// How the images are cropped and scaled, likewise; empty for whole images. After info().
   std::string cutText() const { return cut_.text(); }
-  /// Why the distance of the two cameras is doubted, for people; empty if it is not. After info().
+  /// Why the baseline of the stereo pair is doubtful, likewise; empty if it is not. After info().
   std::string doubt() const { return imaging::baselineDoubt(rig_); }
   /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
   std::int64_t rectifyingNs() const { return rectifying_ns_; }
@@ -59,7 +59,7 @@ class RectifiedSource : private host::SourceStage {
   std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
   std::int64_t rectifying_ns_ = 0;
   bool is_endless_ = false;
-  bool left_alone_ = false;  ///< the stages get only the left image of a raw pair
+  bool left_only_ = false;  ///< the stages get only the left image of a raw pair
 };
 
 }  // namespace tolman::pipeline

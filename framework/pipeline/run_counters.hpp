@@ -19,14 +19,13 @@ inline constexpr std::string_view kNearlyBlack =
 inline constexpr std::string_view kOneFrame =
     "no motion in the whole run: it has one frame, and motion is found between two; take more";
 
-inline constexpr std::string_view kNeverBelieved =
-    "no motion in the whole run: the limits of `checks` took them for impossible, see log.txt; "
-    "correct checks, or the times, the rate or the units of the source";
+inline constexpr std::string_view kMostlyImpossible =
+    "no motion in the whole run: most motions exceed the limits of `checks`, see log.txt; correct "
+    "the limits, or the time stamps, the frame rate or the units of the source";
 
 inline constexpr std::string_view kStoodStill =
     "no motion in the whole run: odometry answered exactly zero at each frame; if the camera "
-    "moved, "
-    "see `tolman dataset check`, and `tolman plugins validate` for the plugin";
+    "moved, see `tolman dataset check`, and `tolman plugins validate` for the plugin";
 
 /// Counters of the health of a run.
 struct RunCounters {
@@ -35,7 +34,7 @@ struct RunCounters {
   std::int64_t skipped = 0;     ///< frames at which a stage failed and the run continued
   std::int64_t impossible = 0;  ///< motions that `checks` replaced by a prediction, and frames with
                                 ///< a revision that they left out
-  std::int64_t defects = 0;     ///< frames without a sound image
+  std::int64_t defects = 0;     ///< frames whose images are missing or faulty (Frame::defect)
   std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
   std::int64_t lost = 0;            ///< frames with odometry lost
   std::int64_t nearly_black = 0;    ///< frames without tracking, see imaging::isNearlyBlack()
@@ -75,7 +74,7 @@ struct RunCounters {
   /// The warning for a run that never tracked, by its likely cause.
   std::string_view neverTrackedText() const {
     if (frames == 1) return kOneFrame;
-    if (2 * impossible > frames) return kNeverBelieved;
+    if (2 * impossible > frames) return kMostlyImpossible;
     if (2 * nearly_black > frames) return kNearlyBlack;
     return unmoved > 0 ? kStoodStill : kNeverTracked;
   }

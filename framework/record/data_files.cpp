@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "record/answers_file.hpp"
+#include "record/output_places.hpp"
 
 namespace tolman::record {
 namespace {
@@ -88,9 +89,8 @@ fs::path firstChanged(const std::vector<DataFile>& files) {
 }
 
 bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  std::error_code ignored;
-  const auto inner = std::filesystem::weakly_canonical(path, ignored);
-  const auto outer = std::filesystem::weakly_canonical(folder, ignored);
+  const auto inner = truePath(path);
+  const auto outer = truePath(folder);
   return !outer.empty() && std::ranges::mismatch(outer, inner).in1 == outer.end();
 }
 

@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 
-#include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/g2o_file.hpp"
+#include "record/output_places.hpp"
 #include "record/pose_files.hpp"
 #include "record/row_sums.hpp"
 
@@ -84,9 +85,11 @@ Status checkUnchanged(const RunReader& reader) {
   return Status::ok();
 }
 
-Status checkRows(const RunReader& reader) {
+Status checkRows(const RunReader& reader, std::span<const std::string_view> tables) {
+  if (!hasRowSums(reader.database())) return checkUnchanged(reader);
+  if (reader.rowsWereCompared()) return Status::ok();
   return guarded((reader.directory() / "run.sqlite").string(),
-                 [&] { requireRowSums(reader.database()); });
+                 [&] { requireRowSums(reader.database(), tables); });
 }
 
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
@@ -98,18 +101,22 @@ Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
   if (std::filesystem::equivalent(folder, reader.directory(), ignored)) {
     if (Status status = checkUnchanged(reader); !status.isOk()) return status;
   }
+  std::vector<OutputFile> files;
   std::vector<std::filesystem::path> written;
+  Status unreadable;
   for (const std::string_view file : kExportedFiles) {
-    const Result<std::string> content = contentOf(reader, file, span.value());
-    if (!content.isOk()) return content.status();
+    Result<std::string> content = contentOf(reader, file, span.value());
+    unreadable = content.status();
+    if (!content.isOk()) break;  // what came before it is saved
     if (content.value().empty()) continue;
-    const Status status = writeAtomically(folder / file, content.value());
-    if (!status.isOk()) return status;
     written.push_back(folder / file);
+    files.push_back({written.back(), std::move(content).value()});
   }
-  if (written.empty()) {
+  if (written.empty() && unreadable.isOk()) {
     return Status::invalidInput(reader.directory().string() + ": holds nothing to export yet");
   }
+  if (Status status = writeTogether(files, "--out"); !status.isOk()) return status;
+  if (!unreadable.isOk()) return unreadable;
   return written;
 }
 

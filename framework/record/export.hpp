@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -31,8 +32,9 @@ Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path
 /// the listed file is still there: rows were changed after the run.
 Status checkUnchanged(const RunReader& reader);
 
-/// Fails with InvalidInput where the rows of the record are not those that the run wrote, which
-/// opening it compares for unfinished runs only.
-Status checkRows(const RunReader& reader);
+/// Fails where the rows of these tables (empty: of all) are not those that the run wrote. Of a
+/// record without sums it compares the results instead, as checkUnchanged(). Rows that open() has
+/// compared are not read again.
+Status checkRows(const RunReader& reader, std::span<const std::string_view> tables = {});
 
 }  // namespace tolman::record

@@ -37,14 +37,14 @@ class Recorder {
   /// finalPoses() write them again.
   static Result<std::unique_ptr<Recorder>> reopen(const std::filesystem::path& directory,
                                                   std::int64_t next_frame);
-  /// Of a record that was opened again: whether its rows could be compared with what its run wrote;
-  /// earlier versions kept no sums.
+  /// After reopen(): whether the rows could be compared with the sums that the run wrote; records
+  /// of earlier versions have no sums.
   bool rowsWereCompared() const { return rows_were_compared_; }
   ~Recorder();  ///< closes, and ignores the status of close()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Whether inherit() can read all of `earlier`, and its rows are those that its run wrote.
+  /// Ok if inherit() can read all of `earlier`, and its rows are those that its run wrote.
   static Status inheritable(const RunReader& earlier);
   /// Must be the first call when this run continues `earlier`. Copies its sessions and the frames
   /// below `frames`, but not its map: the map of this run already contains that.
@@ -89,7 +89,7 @@ class Recorder {
   Database database_;
   StoreWriter store_;
   Statement meta_;
-  // Of the rows of the tables, so that only changes are written.
+  // Of the rows in the tables, so that only changed rows are written.
   std::vector<Fingerprint> written_experiences_;
   std::vector<Fingerprint> written_links_;
   std::int64_t points_frame_ = -1;

@@ -6,10 +6,13 @@
 #define SQLITE_ENABLE_PREUPDATE_HOOK  // declares the hook, which Debian's library has
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <string_view>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 #include "record/fingerprint.hpp"
 #include "record/schema.hpp"
@@ -33,40 +36,41 @@ class RowHash {
       case SQLITE_BLOB:
         return addBytes(Kind::Blob, sqlite3_value_blob(value), sqlite3_value_bytes(value));
       default:
-        print_.add(Kind::Null);
+        fingerprint_.add(Kind::Null);
     }
   }
-  std::uint64_t value() const { return print_.first ^ std::rotl(print_.second, 32); }
+  std::uint64_t value() const { return fingerprint_.first ^ std::rotl(fingerprint_.second, 32); }
 
  private:
   void addInteger(std::int64_t value) {
-    print_.add(Kind::Number);
-    print_.add(value);
+    fingerprint_.add(Kind::Number);
+    fingerprint_.add(value);
   }
-  /// SQLite keeps whole REAL numbers as integers, and gives the hook either.
+  /// SQLite may store whole REAL numbers as integers, and passes either to the hook, so both get
+  /// the same hash.
   void addReal(double value) {
-    constexpr double kExact = 9e15;
+    constexpr double kExact = 9e15;  // below 2^53, up to which doubles hold every integer
     if (std::abs(value) < kExact && value == std::trunc(value)) {
       return addInteger(static_cast<std::int64_t>(value));
     }
-    print_.add(Kind::Real);
-    print_.add(value);
+    fingerprint_.add(Kind::Real);
+    fingerprint_.add(value);
   }
   void addBytes(Kind kind, const void* bytes, int size) {
-    print_.add(kind);
-    print_.add(size);
+    fingerprint_.add(kind);
+    fingerprint_.add(size);
     const char* next = static_cast<const char*>(bytes);
     for (std::size_t left = static_cast<std::size_t>(size); left > 0;) {
       std::uint64_t word = 0;
       const std::size_t taken = std::min(left, sizeof(word));
       std::memcpy(&word, next, taken);
-      print_.add(word);
+      fingerprint_.add(word);
       next += taken;
       left -= taken;
     }
   }
 
-  Fingerprint print_;
+  Fingerprint fingerprint_;
 };
 
 /// A query whose values can be given to RowHash, which SQLiteCpp does not allow.
@@ -120,6 +124,23 @@ std::vector<std::string> tablesWithSums() {
   return tables;
 }
 
+std::uint64_t sumOfRows(const Database& database, const std::string& table) {
+  const RawStatement rows(database.getHandle(), "SELECT * FROM \"" + table + "\"");
+  std::uint64_t sum = 0;
+  while (rows.step()) {
+    RowHash hash;
+    for (int i = 0; i < sqlite3_column_count(rows.get()); ++i) {
+      hash.add(sqlite3_column_value(rows.get(), i));
+    }
+    sum += hash.value();
+  }
+  return sum;
+}
+
+std::string textOf(const std::string& table, std::uint64_t sum) {
+  return fmt::format("{}={:016x}", table, sum);
+}
+
 std::string storedSums(const Database& database) {
   Statement row(database, "SELECT \"value\" FROM \"run\" WHERE \"key\" = ?");
   row.bindNext(std::string(kRowSumsKey));
@@ -132,15 +153,8 @@ RowSums::RowSums() : tables_(tablesWithSums()), sums_(tables_.size()) {}
 
 RowSums RowSums::of(const Database& database) {
   RowSums sums;
-  for (const std::string& table : sums.tables_) {
-    const RawStatement rows(database.getHandle(), "SELECT * FROM \"" + table + "\"");
-    while (rows.step()) {
-      RowHash hash;
-      for (int i = 0; i < sqlite3_column_count(rows.get()); ++i) {
-        hash.add(sqlite3_column_value(rows.get(), i));
-      }
-      sums.add(table.c_str(), hash.value());
-    }
+  for (std::size_t i = 0; i < sums.sums_.size(); ++i) {
+    sums.sums_[i] = sumOfRows(database, sums.tables_[i]);
   }
   return sums;
 }
@@ -163,7 +177,7 @@ void RowSums::remove(const char* table, std::uint64_t row) {
 std::string RowSums::text() const {
   std::string text;
   for (std::size_t i = 0; i < sums_.size(); ++i) {
-    text += fmt::format("{}{}={:016x}", i == 0 ? "" : " ", tables_[i], sums_[i]);
+    text += (i == 0 ? "" : " ") + textOf(tables_[i], sums_[i]);
   }
   return text;
 }
@@ -174,18 +188,18 @@ void followWrites(sqlite3* database, RowSums& sums) {
 
 bool hasRowSums(const Database& database) { return !storedSums(database).empty(); }
 
-void requireRowSums(const Database& database) {
+void requireRowSums(const Database& database, std::span<const std::string_view> tables) {
   const std::string stored = storedSums(database);
   if (stored.empty()) return;
-  const std::string now = RowSums::of(database).text();
-  if (now == stored) return;
-  const auto differs = std::mismatch(now.begin(), now.end(), stored.begin(), stored.end()).first;
-  const auto at = static_cast<std::size_t>(differs - now.begin());
-  const std::size_t begin = at == 0 ? 0 : now.rfind(' ', at - 1) + 1;
-  const std::string table = now.substr(begin, now.find('=', begin) - begin);
-  throw BadRow("the rows of table '" + table +
-               "' are not those that the run wrote: they were changed, added or removed "
-               "afterwards; run it again, or take back the change");
+  std::istringstream sums(stored);
+  const std::set<std::string> recorded{std::istream_iterator<std::string>(sums), {}};
+  for (const std::string& table : tablesWithSums()) {
+    if (!tables.empty() && std::ranges::find(tables, table) == tables.end()) continue;
+    if (recorded.contains(textOf(table, sumOfRows(database, table)))) continue;
+    throw BadRow("the rows of table '" + table +
+                 "' are not those that the run wrote: they were changed, added or removed "
+                 "afterwards; run it again, or take back the change");
+  }
 }
 
 }  // namespace tolman::record

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "record/sqlite.hpp"
@@ -16,16 +18,18 @@ namespace tolman::record {
 /// In table `run`: the RowSums of the rows at the last commit.
 inline constexpr const char* kRowSumsKey = "row_sums";
 
-/// Sums of 64 bits of each row modulo 2^64. They do not depend on the order of rows, so a row that
-/// is replaced needs only itself. They notice damage and edits, and are no signature.
+/// Of each table, the sum of 64-bit hashes of its rows modulo 2^64. It does not depend on the order
+/// of rows, so a replaced row changes it by the difference of two hashes. Detects damage and edits,
+/// but not forgery: it is not cryptographic.
 class RowSums {
  public:
   /// Of no rows, in the tables of schema() but `run`.
   RowSums();
-  /// Of the rows that the database now has; reads all of it.
+  /// Of the rows that the database now has; reads all of them.
   static RowSums of(const Database& database);
 
-  /// `row` is written to the table or taken away; other tables are ignored.
+  /// A row with the hash `row` was written to the table or removed from it; other tables are
+  /// ignored.
   void add(const char* table, std::uint64_t row);
   void remove(const char* table, std::uint64_t row);
   /// `frame=0123456789abcdef motion=...`
@@ -39,13 +43,14 @@ class RowSums {
   std::vector<std::uint64_t> sums_;
 };
 
-/// Keeps `sums` to what the connection `database` writes from now on. Both must outlive it.
-/// A rollback is not seen: the caller then restores `sums`.
+/// Updates `sums` with every row that the connection `database` writes from now on; `sums` must
+/// exist as long as it writes. Does not follow a rollback: the caller then restores `sums`.
 void followWrites(sqlite3* database, RowSums& sums);
 
 /// Whether the record has sums; those of earlier versions have none.
 bool hasRowSums(const Database& database);
-/// Throws BadRow with the first table whose rows are not those of the sums; none is accepted.
-void requireRowSums(const Database& database);
+/// Throws BadRow with the first of these tables (empty: all) whose rows are not those of the sums,
+/// and reads no other rows; a record without sums is accepted.
+void requireRowSums(const Database& database, std::span<const std::string_view> tables = {});
 
 }  // namespace tolman::record

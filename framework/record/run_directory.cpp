@@ -15,6 +15,7 @@
 #include "config/json_text.hpp"
 #include "config/paths.hpp"
 #include "record/descriptor_limit.hpp"
+#include "record/output_places.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_files.hpp"
 
@@ -88,6 +89,7 @@ Status mayReplace(const fs::path& path, bool replace) {
 Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
   try {
     if (options.out) {
+      if (Status own = refuseRunFolders(*options.out, "--out"); !own.isOk()) return own;
       fs::create_directories(*options.out);
       const fs::path out = fs::canonical(*options.out);
       Result<RunDirectory> directory = lock(out, kOther);
@@ -144,8 +146,15 @@ Status RunDirectory::mayTakeFilesOf(const fs::path& run, const fs::path& folder)
   std::error_code ignored;
   const bool holds_run =
       fs::exists(folder / "run.sqlite", ignored) || fs::exists(folder / "run.json", ignored);
-  if (!holds_run || fs::equivalent(run, folder, ignored)) return Status::ok();
-  return Status::failed(folder.string() + ": holds another run; " + kOther);
+  if (holds_run && !fs::equivalent(run, folder, ignored)) {
+    return Status::failed(folder.string() + ": holds another run; " + kOther);
+  }
+  const std::optional<fs::path> around = runAround(folder);
+  if (around && !fs::equivalent(run, *around, ignored)) {
+    return Status::failed(folder.string() + ": lies in another run, " + around->string() + "; " +
+                          kOther);
+  }
+  return refuseRunFolders(folder, "--out");
 }
 
 Status RunDirectory::stillInPlace() const {
@@ -187,6 +196,7 @@ bool RunDirectory::wasKilled(const std::filesystem::path& path) {
 }
 
 Status RunDirectory::mayTake(const fs::path& path, bool replace) {
+  if (Status own = refuseRunFolders(path, "--out"); !own.isOk()) return own;
   std::error_code error;
   if (!fs::exists(path, error)) return Status::ok();
   if (!fs::is_directory(path, error)) {

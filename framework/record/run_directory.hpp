@@ -42,7 +42,8 @@ class RunDirectory {
   /// Opens the directory of an earlier run unchanged, to resume the run.
   static Result<RunDirectory> reopen(const std::filesystem::path& path);
 
-  /// Refuses `folder` for result files of `run` if it contains another run.
+  /// Refuses `folder` for result files of `run` if it contains another run or lies in one, or in a
+  /// folder of `run` itself such as state/.
   static Status mayTakeFilesOf(const std::filesystem::path& run,
                                const std::filesystem::path& folder);
   /// Whether a run is writing there at this moment.

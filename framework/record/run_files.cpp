@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "record/export.hpp"
+#include "record/output_places.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 
@@ -107,17 +108,6 @@ class Removal {
   Status status_;
 };
 
-/// Refuses links before anything is removed: the new run would write into another folder.
-Status refuseLinks(const fs::path& directory) {
-  std::error_code ignored;
-  for (const char* name : {"figures", "artefacts", "state"}) {
-    if (!fs::is_symlink(directory / name, ignored)) continue;
-    return Status::failed((directory / name).string() +
-                          ": is a link to another folder; remove it, or choose another --out");
-  }
-  return Status::ok();
-}
-
 void removeDerived(Removal& removal, const fs::path& directory) {
   for (const std::string_view name : kExportedFiles) removal.file(directory / name);
   for (const char* name : kResultFiles) removal.file(directory / name);
@@ -156,7 +146,7 @@ bool holdsRun(const fs::path& directory) {
 }
 
 Status removeDerivedFiles(const fs::path& directory, std::vector<fs::path>& kept) {
-  const Status linked = refuseLinks(directory);
+  const Status linked = refuseLinks(directory, kRunFolders);
   if (!linked.isOk()) return linked;
   Removal removal(directory, kept);
   removeDerived(removal, directory);
@@ -164,7 +154,7 @@ Status removeDerivedFiles(const fs::path& directory, std::vector<fs::path>& kept
 }
 
 Status removeRunFiles(const fs::path& directory, std::vector<fs::path>& kept) {
-  const Status linked = refuseLinks(directory);
+  const Status linked = refuseLinks(directory, kRunFolders);
   if (!linked.isOk()) return linked;
   Removal removal(directory, kept);
   const std::set<std::string> artefacts = listedArtefacts(directory / "artefacts");

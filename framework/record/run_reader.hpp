@@ -49,11 +49,11 @@ class RunReader {
   /// The descriptions of the arrays, in the order of RunInfo::arrays.
   Result<std::vector<ArrayInfo>> arrayInfos() const;
 
-  /// The sessions whose frames are recorded, in order; at least one where there are frames.
+  /// The sessions whose frames are recorded, in order; at least one if there are frames.
   Result<std::vector<RecordedSession>> sessions() const;
   /// One more than the last frame.
   Result<std::int64_t> nextFrame() const;
-  /// The last frame that the source gave, also if the pipeline dropped it; -1 for none.
+  /// The last frame that the source gave, even if the pipeline dropped it; -1 for none.
   Result<std::int64_t> lastGivenFrame() const;
   /// The experience of the newest recorded frame; -1 where none is recorded.
   Result<std::int64_t> newestExperience() const;
@@ -73,6 +73,8 @@ class RunReader {
   Result<std::map<std::string, std::vector<std::int64_t>>> timing() const;
 
   const std::filesystem::path& directory() const { return directory_; }
+  /// Whether open() compared all rows with the sums of the record: for unfinished runs.
+  bool rowsWereCompared() const { return rows_were_compared_; }
   const Database& database() const { return database_; }
 
  private:
@@ -89,6 +91,7 @@ class RunReader {
   std::filesystem::path directory_;
   std::string name_;  // of the file, for messages
   Database database_;
+  bool rows_were_compared_ = false;
   mutable std::optional<Result<evaluation::Trajectory>> odometry_;
   mutable std::optional<Result<evaluation::Trajectory>> map_;
   mutable std::optional<Result<MapGraph>> graph_;

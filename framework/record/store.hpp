@@ -92,7 +92,8 @@ std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
 template <Record R>
 void readLists(const Database& database, R& record);
 
-/// Calls visit(const R&) for each row, in the order of keys, with nested lists filled.
+/// Calls visit(const R&) for each row, with nested lists filled, in the order of rowid: that of the
+/// key if it is one integer (frame, id), otherwise the order of insertion.
 template <Record R, class Visit>
 void forEachRow(const Database& database, const std::string& condition, Visit&& visit) {
   Statement rows(database, "SELECT " + columnList(columnsOf<R>()) + " FROM \"" + R::kRecord +
@@ -113,8 +114,8 @@ void readLists(const Database& database, R& record) {
       if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
         value = readArrays(database, record.frame, field.name);
       } else if constexpr (kIsRecordList<T>) {
-        const std::string brought = "WHERE \"announced_at\" = " + std::to_string(record.frame);
-        forEachRow<typename T::value_type>(database, brought,
+        const std::string announced = "WHERE \"announced_at\" = " + std::to_string(record.frame);
+        forEachRow<typename T::value_type>(database, announced,
                                            [&](const auto& item) { value.push_back(item); });
       }
     });

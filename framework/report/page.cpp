@@ -280,16 +280,6 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data, const Un
   return page;
 }
 
-Result<RunPage> makePage(const std::filesystem::path& directory,
-                         const config::EvaluationSettings& settings, const UnitChoice& units,
-                         std::uint64_t seed) {
-  const auto opened = record::RunReader::open(directory);
-  if (!opened.isOk()) return opened.status();
-  auto data = readRun(*opened.value(), settings, seed);
-  if (!data.isOk()) return data.status();
-  return makePage(*opened.value(), std::move(data).value(), units);
-}
-
 std::vector<MapPicture> comparedMaps(const std::vector<RunPage>& runs) {
   std::vector<MapPicture> pictures;
   for (const RunPage& run : runs) {

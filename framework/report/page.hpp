@@ -36,10 +36,6 @@ struct RunPage {
 /// InvalidParameter where the run has no such unit.
 Result<RunPage> makePage(const record::RunReader& reader, RunData data,
                          const UnitChoice& units = {});
-/// The same from the record alone.
-Result<RunPage> makePage(const std::filesystem::path& directory,
-                         const config::EvaluationSettings& settings, const UnitChoice& units = {},
-                         std::uint64_t seed = 1);
 
 /// The maps of runs, titled with their names and errors.
 std::vector<MapPicture> comparedMaps(const std::vector<RunPage>& runs);

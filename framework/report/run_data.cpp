@@ -60,8 +60,7 @@ evaluation::Trajectory since(std::int64_t first, evaluation::Trajectory trajecto
   return trajectory;
 }
 
-/// Tells the poses of different sessions apart: how the robot came from one to the next is not
-/// known.
+/// Sets the session of each pose: the motion from one session to the next is not known.
 void markSessions(const std::vector<record::RecordedSession>& sessions,
                   evaluation::Trajectory& trajectory) {
   for (auto& pose : trajectory) {
@@ -132,14 +131,14 @@ std::string digestOf(const evaluation::Trajectory& truth) {
   return sha.digest();
 }
 
-/// A part of the map that no loop joins begins where the path before it ended: an assumption that
-/// the errors contain.
+/// A part of the map that no loop joins is assumed to begin where the path before it ended, which
+/// adds to the errors.
 void warnOfParts(evaluation::Metrics& metrics) {
   if (metrics.sessions.empty() || metrics.sessions.back().parts.size() <= 1) return;
   if (!metrics.map.warning.empty()) return;
   metrics.map.warning =
       evaluation::unjoinedText(metrics) +
-      ": each is taken to begin where the one before ended, and the errors contain that";
+      ": each is assumed to begin where the previous one ended, which adds to the errors";
 }
 
 /// The metrics of the trajectories and the graph in `run`.

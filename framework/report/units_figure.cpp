@@ -37,7 +37,7 @@ void drawTitle(Svg& svg, const Eigen::Vector2d& middle, const std::string& title
 std::string scoreText(const std::string& name, const std::optional<evaluation::UnitScore>& score) {
   if (!score) return fmt::format("{} not measurable here", name);
   return fmt::format("{} {:.2f} in the median, chance {:.2f}, {:.0f} % above", name, score->median,
-                     score->chance, 100 * score->share_above);
+                     score->chance, 100 * score->share_better);
 }
 
 /// Polar tuning curve: heading 0 is up, positive to the left.

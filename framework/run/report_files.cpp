@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/report_files.hpp"
 
+#include <array>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "config/loader.hpp"
 #include "config/system_config.hpp"
-#include "record/atomic_file.hpp"
+#include "record/output_places.hpp"
 #include "report/page.hpp"
 #include "report/raster.hpp"
 #include "run/run_names.hpp"
@@ -25,90 +28,107 @@ config::SystemConfig systemOf(const config::Loaded& loaded) {
 
 /// The page of a run, evaluated by the settings of its configuration, or by the defaults if it
 /// cannot be read.
-Result<report::RunPage> pageOf(const fs::path& run, const report::UnitChoice& units) {
-  const config::Loaded loaded = config::load(run / "config.resolved.yaml", {},
+Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitChoice& units) {
+  const config::Loaded loaded = config::load(run.directory() / "config.resolved.yaml", {},
                                              [](const std::string&) { return std::nullopt; });
   const config::SystemConfig system = systemOf(loaded);
-  auto page = report::makePage(run, system.evaluation, units,
-                               static_cast<std::uint64_t>(system.general.seed));
+  auto data =
+      report::readRun(run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
+  if (!data.isOk()) return data.status();
+  auto page = report::makePage(run, std::move(data).value(), units);
   if (page.isOk()) page.value().settings = loaded.tree;
   return page;
 }
 
-/// Writes figures into one folder, and keeps the names of the files.
-class FigureFolder {
+/// The files of a report. They are written together, when all are made.
+class ReportFiles {
  public:
-  FigureFolder(fs::path folder, bool pixels, std::vector<fs::path>& written)
-      : folder_(std::move(folder)), pixels_(pixels), written_(written) {
-    std::error_code ignored;
-    fs::create_directories(folder_, ignored);  // on failure writing the first file fails
-  }
+  explicit ReportFiles(fs::path folder) : folder_(std::move(folder)) {}
 
-  Status add(const std::string& name, const std::string& svg) {
-    const Status status = write(name + ".svg", svg);
-    if (!status.isOk() || !pixels_) return status;
-    const auto png = report::pngOf(svg);
-    return png.isOk() ? write(name + ".png", png.value()) : png.status();
+  /// Adds a figure to `figures/sub`; with `pixels` as PNG, too.
+  Status addFigure(const std::string& sub, const std::string& name, const std::string& svg,
+                   bool pixels) {
+    add(sub, name + ".svg", svg);
+    if (!pixels) return Status::ok();
+    auto png = report::pngOf(svg);
+    if (png.isOk()) add(sub, name + ".png", std::move(png).value());
+    return png.status();
   }
-  Status addAll(const report::RunPage& page) {
+  Status addFigures(const std::string& sub, const report::RunPage& page, bool pixels) {
     Status status;
     for (const report::PageFigure& figure : page.figures) {
-      if (status.isOk()) status = add(figure.file, figure.svg);
+      if (status.isOk()) status = addFigure(sub, figure.file, figure.svg, pixels);
     }
     if (status.isOk() && !page.neurons.is_null()) {
-      status = write("neurons.json", page.neurons.dump() + "\n");
+      add(sub, "neurons.json", page.neurons.dump() + "\n");
     }
     return status;
   }
 
+  /// Writes all files, the page last; nothing through links into other folders.
+  Result<std::vector<fs::path>> write(std::string page) {
+    constexpr std::array<std::string_view, 1> kFigures = {"figures"};
+    const std::vector<std::string_view> subs(subs_.begin(), subs_.end());
+    Status status = record::refuseLinks(folder_, kFigures);
+    if (status.isOk()) status = record::refuseLinks(folder_ / "figures", subs);
+    if (!status.isOk()) return status;
+    std::error_code ignored;  // writing fails with a better message
+    for (const std::string& sub : subs_) fs::create_directories(folder_ / "figures" / sub, ignored);
+    fs::create_directories(folder_, ignored);
+    files_.push_back({folder_ / "report.html", std::move(page)});
+    status = record::writeTogether(files_, "--out");
+    if (!status.isOk()) return status;
+    std::vector<fs::path> written{files_.back().path};
+    for (const record::OutputFile& file : files_) {
+      if (file.path != written.front()) written.push_back(file.path);
+    }
+    return written;
+  }
+
  private:
-  Status write(const std::string& name, const std::string& bytes) {
-    written_.push_back(folder_ / name);
-    return record::writeAtomically(written_.back(), bytes);
+  void add(const std::string& sub, const std::string& name, std::string bytes) {
+    subs_.insert(sub);
+    files_.push_back({folder_ / "figures" / sub / name, std::move(bytes)});
   }
   fs::path folder_;
-  bool pixels_;
-  std::vector<fs::path>& written_;
+  std::set<std::string> subs_;
+  std::vector<record::OutputFile> files_;
 };
 
 }  // namespace
 
-Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, const fs::path& folder,
-                                          const report::UnitChoice& units) {
+Result<std::vector<fs::path>> writeReport(
+    const std::vector<std::unique_ptr<record::RunReader>>& runs, const fs::path& folder,
+    const report::UnitChoice& units) {
   std::vector<report::RunPage> pages;
-  const std::vector<std::string> names = distinctNames(runs);
+  std::vector<fs::path> directories;
+  for (const auto& run : runs) directories.push_back(run->directory());
+  const std::vector<std::string> names = distinctNames(directories);
   for (std::size_t i = 0; i < runs.size(); ++i) {  // reads all runs before it writes a file
-    auto page = pageOf(runs[i], units);
+    auto page = pageOf(*runs[i], units);
     if (!page.isOk()) return page.status();
     page.value().directory = names[i];
     pages.push_back(std::move(page).value());
   }
-  std::vector<fs::path> written{folder / "report.html"};
+  ReportFiles files(folder);
   for (const report::RunPage& page : pages) {
-    FigureFolder figures(folder / "figures" / (runs.size() == 1 ? "" : page.directory), true,
-                         written);
-    const Status status = figures.addAll(page);
+    const Status status = files.addFigures(runs.size() == 1 ? "" : page.directory, page, true);
     if (!status.isOk()) return status;
   }
   const std::string comparison = report::comparisonFigure(pages);
   if (!comparison.empty()) {
-    FigureFolder figures(folder / "figures", true, written);
-    const Status status = figures.add("comparison", comparison);
+    const Status status = files.addFigure("", "comparison", comparison, true);
     if (!status.isOk()) return status;
   }
-  const Status status = record::writeAtomically(written.front(), report::html(pages));
-  if (!status.isOk()) return status;
-  return written;
+  return files.write(report::html(pages));
 }
 
 Status writeReport(const record::RunReader& reader, report::RunData data) {
   const auto page = report::makePage(reader, std::move(data));
   if (!page.isOk()) return page.status();
-  std::vector<fs::path> written;
-  FigureFolder figures(reader.directory() / "figures", false, written);
-  const Status status = figures.addAll(page.value());
-  if (!status.isOk()) return status;
-  return record::writeAtomically(reader.directory() / "report.html", report::html({page.value()}));
+  ReportFiles files(reader.directory());
+  const Status status = files.addFigures("", page.value(), false);
+  return status.isOk() ? files.write(report::html({page.value()})).status() : status;
 }
 
 }  // namespace tolman::run

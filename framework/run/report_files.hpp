@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "record/run_reader.hpp"
@@ -17,8 +18,8 @@ namespace tolman::run {
 /// settings in its own resolved configuration. Returns the files, the page first. InvalidParameter
 /// if a run does not have the chosen units.
 Result<std::vector<std::filesystem::path>> writeReport(
-    const std::vector<std::filesystem::path>& runs, const std::filesystem::path& folder,
-    const report::UnitChoice& units = {});
+    const std::vector<std::unique_ptr<record::RunReader>>& runs,
+    const std::filesystem::path& folder, const report::UnitChoice& units = {});
 
 /// The same for one run whose record has been read already: writes into the directory of the run,
 /// and no PNG files.

@@ -121,7 +121,8 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   const auto reader = require(record::RunReader::open(directory), kKind);
   require(record::Recorder::inheritable(*reader), kKind);
   const auto sessions = require(reader->sessions(), kKind);
-  if (sessions.empty()) refuseToContinue(directory.string() + ": has no session; run it again");
+  if (sessions.empty())
+    refuseToContinue(directory.string() + ": was ended before its first frame; run it again");
   const std::int64_t first_frame = sessions.back().first_frame;
   assembly.source().startAt(first_frame);
   assembly.odometry().startAt(first_frame);

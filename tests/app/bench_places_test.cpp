@@ -279,7 +279,7 @@ TEST_CASE("bench places: a figure replaces a file only by force") {
   const Finished refused = walks.bench("lap", words);
   CHECK(refused.exit_code == 8);
   CHECK(contains(refused.err,
-                 figure + ": exists; choose another --figure, or replace it by --force"));
+                 figure + ": exists; choose another --figure, or replace it with --force"));
   words.emplace_back("--force");
   CHECK(walks.bench("lap", words).exit_code == 0);
   CHECK(readText(figure).starts_with("<svg"));

@@ -40,7 +40,7 @@ void isKept(const fs::path& file, const std::string& option, std::vector<std::st
   const Finished refused = tolman::test::tolman(words);
   CHECK(refused.exit_code == 8);
   CHECK(refused.err ==
-        file.string() + ": exists; choose another " + option + ", or replace it by --force\n");
+        file.string() + ": exists; choose another " + option + ", or replace it with --force\n");
   CHECK(readText(file) == kPrecious);
   words.emplace_back("--force");
   CHECK(tolman::test::tolman(words).exit_code == 0);
@@ -100,4 +100,73 @@ TEST_CASE("an output that exists is refused before the work begins") {
   const Finished refused = tolman::test::tolman({"compare", none, "--out", table.string()});
   CHECK(refused.exit_code == 8);
   CHECK(contains(refused.err, "table.md: exists"));
+}
+
+TEST_CASE("a report does not follow a link out of its folder, not even by force") {
+  const Desk desk;
+  const fs::path mine = desk.precious("mine/map.svg");
+  fs::create_directories(desk.folder.path() / "out");
+  fs::create_directory_symlink(mine.parent_path(), desk.folder.path() / "out/figures");
+  const std::string out = (desk.folder.path() / "out").string();
+  const Finished refused =
+      tolman::test::tolman({"report", desk.run.string(), "--out", out, "--force"});
+  CHECK(refused.exit_code == 8);
+  CHECK(refused.err ==
+        out + "/figures: is a link to another folder; remove it, or choose another --out\n");
+  CHECK(readText(mine) == kPrecious);
+  CHECK_FALSE(fs::exists(desk.folder.path() / "out/report.html"));
+}
+
+TEST_CASE("one file for two outputs is refused by whatever names") {
+  const Desk desk;
+  const std::string name = "f.svg";
+  for (const char* other : {"./f.svg", "none/../f.svg", "f.svg"}) {
+    const Finished refused = tolman::test::run(
+        {"/usr/bin/env", "-C", desk.folder.path().string(), tolmanProgram().string(), "compare",
+         desk.run.string(), "--figure", name, "--figure", other});
+    CHECK(refused.exit_code == 2);
+    CHECK(contains(refused.err, "is given for two outputs"));
+    CHECK_FALSE(fs::exists(desk.folder.path() / name));
+  }
+}
+
+TEST_CASE("nothing is written into the folders of another run") {
+  const Desk desk;
+  const fs::path other = desk.folder.path() / "other";
+  fs::copy(desk.run, other, fs::copy_options::recursive);
+  for (const char* command : {"export", "report"}) {
+    for (const char* below : {"figures", "state", "mine"}) {
+      const Finished refused = tolman::test::tolman(
+          {command, desk.run.string(), "--out", (other / below).string(), "--force"});
+      CHECK(refused.exit_code == 8);
+      CHECK(contains(refused.err, "lies in another run, "));
+    }
+    CHECK_FALSE(fs::exists(other / "mine"));
+  }
+  const Finished table = tolman::test::tolman(
+      {"compare", desk.run.string(), "--out", (other / "state/table.md").string()});
+  CHECK(table.exit_code == 8);
+  CHECK(contains(table.err, "lies in a folder of the run"));
+}
+
+TEST_CASE("no file is replaced if another one of the same command cannot be") {
+  const Desk desk;
+  const std::string run = desk.run.string();
+  const fs::path out = desk.folder.path() / "mine";
+  const fs::path poses = desk.precious("mine/odometry.tum");
+  fs::create_directories(out / "map.g2o");
+  const Finished exported = tolman::test::tolman({"export", run, "--out", out.string(), "--force"});
+  CHECK(exported.exit_code == 8);
+  CHECK(contains(exported.err, "map.g2o: is a folder"));
+  CHECK(readText(poses) == kPrecious);
+  fs::create_directories(out / "report.html");
+  const Finished report = tolman::test::tolman({"report", run, "--out", out.string(), "--force"});
+  CHECK(report.exit_code == 8);
+  CHECK_FALSE(fs::exists(out / "figures"));
+  const fs::path figure = desk.precious("f.svg");
+  const Finished compared =
+      tolman::test::tolman({"compare", run, "--figure", figure.string(), "--out",
+                            (desk.folder.path() / "none/table.md").string(), "--force"});
+  CHECK(compared.exit_code == 8);
+  CHECK(readText(figure) == kPrecious);
 }

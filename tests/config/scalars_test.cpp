@@ -59,6 +59,13 @@ TEST_CASE("NaN and infinity in every spelling are refused as such") {
   CHECK(message(config::readReal(bad)) == "expects a finite number, not '" + bad + "'");
 }
 
+TEST_CASE("A number too small for a double is told as such, not as infinite") {
+  for (const char* text : {"1e-400", "-1E-400", "+2.5e-999"}) {
+    CHECK(message(config::readReal(text)) ==
+          "expects 0 or a number of at least 1e-307, not '" + std::string(text) + "'; write 0");
+  }
+}
+
 TEST_CASE("Only true and false are booleans") {
   CHECK(config::readBool("true").value());
   CHECK_FALSE(config::readBool("false").value());

@@ -124,7 +124,15 @@ TEST_CASE("Not text") {
   CHECK(config::format(read("\x7f\x45LF").problems) ==
         "f:1:1: a byte of value 127 is not text; is this a YAML file?\n");
   CHECK_FALSE(read(std::string("\xff\xfe\x61\x00", 4)).tree);  // UTF-16
+  CHECK(config::format(read(std::string("\xff\xfen\0:\0 \0a\0", 10)).problems) ==
+        "f: is UTF-16; save it as UTF-8\n");
   CHECK(read("\xef\xbb\xbfname: a\r\nseed: 1\r\n").tree->children.size() == 2);
+}
+
+TEST_CASE("Escapes of characters beyond \\uFFFF") {
+  CHECK(read("a: \"\\U0001F600\"\n").tree->children[0].text == "\xf0\x9f\x98\x80");
+  CHECK(config::format(read("a: \"\\ud83d\\ude00\"\n").problems)
+            .find("write one beyond \\uFFFF as \"\\U0001F600\"") != std::string::npos);
 }
 
 TEST_CASE("Random bytes give at most a problem") {

@@ -219,6 +219,6 @@ TEST_CASE("sources with a wrong end or without their data are found") {
     CHECK(contains(found.messages(), says));
   };
   caught("ignores_path", "missing-data", "accepts a path that does not exist");
-  caught("promises_more", "source-end", "info() promised 9 frames, 5 were given");
+  caught("promises_more", "source-end", "info() announced 9 frames, but next() gave 5");
   caught("fails_after_end", "source-end", "after the end it returns");
 }

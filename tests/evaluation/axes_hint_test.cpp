@@ -32,7 +32,7 @@ Trajectory withAxes(Trajectory path, const Eigen::Matrix3d& R_camera_body) {
 
 }  // namespace
 
-TEST_CASE("truth of the vehicle's body, x forward and z up, is told") {
+TEST_CASE("truth in axes of the vehicle's body, x forward and z up, is detected") {
   const Trajectory estimate = drive();
   Eigen::Matrix3d R_camera_body;
   R_camera_body << 0, -1, 0, 0, 0, -1, 1, 0, 0;
@@ -40,7 +40,7 @@ TEST_CASE("truth of the vehicle's body, x forward and z up, is told") {
   CHECK(hint.starts_with("true and estimated motion point in directions 90 degrees apart"));
 }
 
-TEST_CASE("world-to-camera poses are told, camera-to-world poses in any world are not") {
+TEST_CASE("world-to-camera poses are detected; camera-to-world poses in any world give no hint") {
   RandomStream random(3);
   const Trajectory estimate = drive();
   Trajectory inverse = estimate;
@@ -64,7 +64,7 @@ TEST_CASE("a poor estimate, few frames and standing still are no reason for a hi
           .empty());
 }
 
-TEST_CASE("scrambled rotations under right positions are told, of either path") {
+TEST_CASE("wrong rotations with right positions are detected in either trajectory") {
   const Trajectory truth = drive();
   Trajectory scrambled = truth;
   for (TrajectoryPose& pose : scrambled) {
@@ -80,7 +80,7 @@ TEST_CASE("scrambled rotations under right positions are told, of either path") 
   CHECK(rotationHint(test::paired(truth, test::wanderingPath(60, random))).empty());
 }
 
-TEST_CASE("mirrored positions, which an alignment turns upside down, are told") {
+TEST_CASE("mirrored positions, which an alignment turns upside down, are detected") {
   const auto at = [](int i, double side) {  // along a road with a slight bend
     const double angle = 0.01 * i;
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -99,7 +99,7 @@ TEST_CASE("mirrored positions, which an alignment turns upside down, are told") 
   CHECK(rotationHint(test::paired(truth, truth)).empty());
 }
 
-TEST_CASE("on a nearly straight path small errors turn the estimate, which is no wrong axis") {
+TEST_CASE("a rotation about a nearly straight path gives no hint of wrong axes") {
   Trajectory truth = test::straightPath(12);
   Trajectory estimate = truth;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -142,7 +142,7 @@ TEST_CASE("an estimate that is right but for its scale is told, one that is only
   CHECK(scaleHint(test::paired(truth, test::straightPath(60))).empty());
 }
 
-TEST_CASE("positions in millimetres are told, a poor scale is not") {
+TEST_CASE("positions in millimetres are detected; a poor scale gives no hint") {
   const Trajectory estimate = drive();
   const auto scaled = [&](double factor) {
     Trajectory path = estimate;
@@ -161,7 +161,7 @@ TEST_CASE("positions in millimetres are told, a poor scale is not") {
   CHECK(unitHint(test::paired(estimate, still)) == "the estimate does not move");
 }
 
-TEST_CASE("poses with x forward and z up are told, those of cameras and of slopes are not") {
+TEST_CASE("poses with x forward and z up are detected; camera poses and slopes give no hint") {
   Eigen::Matrix3d R_camera_body;
   R_camera_body << 0, -1, 0, 0, 0, -1, 1, 0, 0;
   Trajectory climbing = drive();
@@ -186,7 +186,7 @@ TEST_CASE("poses with x forward and z up are told, those of cameras and of slope
   CHECK(scoreTrajectory(positions, positions, Alignment::Se3).warning.empty());
 }
 
-TEST_CASE("of poses with z up the errors are not told apart by a wrong vertical") {
+TEST_CASE("with z up errors are not divided by a wrong vertical direction") {
   Eigen::Matrix3d R_camera_body;
   R_camera_body << 0, -1, 0, 0, 0, -1, 1, 0, 0;
   Trajectory estimate = drive();

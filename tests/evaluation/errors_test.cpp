@@ -73,7 +73,7 @@ TEST_CASE("relative errors of single poses are empty, not wrong") {
   CHECK(absoluteError(matches).count == 1);
 }
 
-TEST_CASE("how the robot came from one session to the next counts in no figure") {
+TEST_CASE("the step from one session to the next counts in no error") {
   // Two sessions of 60 m; between them the robot is carried 500 m, which the estimate has wrong.
   Trajectory truth = test::straightPath(120);
   Trajectory estimate = truth;

@@ -33,14 +33,14 @@ std::vector<Sample> turn(Rate rate) {
 
 }  // namespace
 
-TEST_CASE("a unit that fires everywhere tells nothing of the place") {
+TEST_CASE("a unit that fires everywhere has no spatial information") {
   const RateMap map = rateMap(square(8, [](int, int) { return 2.5; }), 7);
   CHECK(map.rate.size() == 64);
   CHECK(spatialInformation(map) == Approx(0).margin(1e-12));
   CHECK(fields(map).size() == 1);
 }
 
-TEST_CASE("a unit that fires in one place of n tells log2 n bits") {
+TEST_CASE("a unit that fires in one of n places has log2 n bits of spatial information") {
   const RateMap map =
       rateMap(square(8, [](int x, int y) { return x == 2 && y == 3 ? 1.0 : 0.0; }), 7);
   CHECK(spatialInformation(map) == Approx(6));
@@ -66,7 +66,7 @@ TEST_CASE("a field ends at a fifth of the peak, and its centre is weighted by ra
   CHECK(wide[0].x() > centres[0].x());
 }
 
-TEST_CASE("bins hold the mean of their visits; where nobody was there is no rate") {
+TEST_CASE("bins have the mean rate of their visits; unvisited bins have none") {
   const std::vector<Sample> samples = {{{0, 0}, 0, 1}, {{0, 0}, 0, 3}, {{10, 10}, 0, 5}};
   const RateMap map = rateMap(samples, 10);
   CHECK(map.rate(0, 0) == 2);
@@ -81,7 +81,7 @@ TEST_CASE("the mean vector of 1 + cos is one half, towards the crest") {
   CHECK(curve.preferred == Approx(1).margin(0.01));
 }
 
-TEST_CASE("a unit of one direction has a vector of one, a deaf one of none") {
+TEST_CASE("a unit with one direction has mean vector length 1, one without tuning 0") {
   const auto narrow = turn([](double h) { return std::abs(h + 0.05) < 0.05 ? 1.0 : 0.0; });
   CHECK(tuningCurve(narrow, 36).mean_vector_length == Approx(1).margin(0.01));
   CHECK(tuningCurve(narrow, 36).preferred > 6);  // just below a full turn
@@ -97,7 +97,7 @@ TEST_CASE("no samples, no map") {
   CHECK(fields(map).empty());
 }
 
-TEST_CASE("half the width at half of the peak, also where no one looked") {
+TEST_CASE("half width at half of the peak, with unvisited headings interpolated") {
   const auto tuned = [](double h) { return std::exp(2.3665 * (std::cos(h - 2) - 1)); };
   const auto whole = tuningCurve(turn(tuned), 36).half_width;
   REQUIRE(whole);

@@ -57,7 +57,7 @@ struct Drive {
 
 }  // namespace
 
-TEST_CASE("Errors that the covariance tells have a mean of the degrees of freedom") {
+TEST_CASE("Errors that fit their covariance have the degrees of freedom as mean") {
   const Drive drive(1);
   const MotionConsistency all = drive.measured();
   CHECK(all.motions == kMotions);
@@ -70,7 +70,7 @@ TEST_CASE("Errors that the covariance tells have a mean of the degrees of freedo
   CHECK(planar.share_99 == Approx(0.99).margin(0.006));
 }
 
-TEST_CASE("Errors twice as large as claimed are four times the mean") {
+TEST_CASE("Errors twice as large as their covariance give four times the mean") {
   const MotionConsistency twice = Drive(2).measured();
   CHECK(twice.mean == Approx(24).epsilon(0.05));
   CHECK(twice.share_99 < 0.7);

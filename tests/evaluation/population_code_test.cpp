@@ -61,13 +61,13 @@ TEST_CASE("the population vector of a von Mises ring is its centre, in the unit 
   }
 }
 
-TEST_CASE("a silent ring and an even one say nothing") {
+TEST_CASE("a ring without activity, or with equal activity everywhere, has no direction") {
   const ArrayAxis axis{"heading", "rad", 0, kTurn / 12, kTurn, {}};
   CHECK_FALSE(populationVector(std::vector<double>(12, 0), axis));
   CHECK_FALSE(populationVector(std::vector<double>(12, 3.7), axis));
 }
 
-TEST_CASE("a sheet tells x and y, whichever axis comes first") {
+TEST_CASE("a sheet gives x and y, whichever axis is first") {
   const ArrayInfo rows_first = sheetOf(30, 20);
   const auto phase = modulePhase(bump(rows_first, 7, 22.5), rows_first);
   REQUIRE(phase);
@@ -81,7 +81,7 @@ TEST_CASE("a sheet tells x and y, whichever axis comes first") {
   CHECK_FALSE(modulePhase(std::vector<float>(7, 1), rows_first));
 }
 
-TEST_CASE("a sheet that tells no position says why") {
+TEST_CASE("a sheet without a position has a reason") {
   CHECK(noPositionReason(sheetOf(30, 20)).empty());
   CHECK(noPositionReason(sheetOf(30, 20, "y", "x", "cells")) ==
         "the axes of grid.activity are in cells, not in m");
@@ -89,7 +89,7 @@ TEST_CASE("a sheet that tells no position says why") {
         "an axis of grid.activity is not x or y");
 }
 
-TEST_CASE("several modules tell places far beyond the largest period") {
+TEST_CASE("several modules decode positions far beyond the largest period") {
   const std::vector<double> periods = {30, 42.6, 60.5};
   const Eigen::Vector2d start(3, -4);
   const PositionDecoder decoder(phasesAt({8, 2}, periods), start, {-300, -300}, {300, 300});
@@ -102,7 +102,7 @@ TEST_CASE("several modules tell places far beyond the largest period") {
   }
 }
 
-TEST_CASE("one module tells places modulo its period") {
+TEST_CASE("one module decodes positions modulo its period") {
   const PositionDecoder decoder(phasesAt({0, 0}, {60}), {0, 0}, {-300, -300}, {300, 300});
   CHECK(decoder.error(phasesAt({130, -7}, {60}), {10, -7}) < 0.01);
   CHECK(decoder.error(phasesAt({130, -7}, {60}), {130, 13}) == Approx(20).margin(0.01));

@@ -98,7 +98,7 @@ TEST_CASE("broken trajectory files are refused with file and line") {
         "poses.txt:1: position '-1e300' is too large; positions are metres");
   CHECK(folder.tumRefusal("1 0 12x 0 0 0 0 1\n") == "poses.txt:1: '12x' is not a number");
   CHECK(folder.tumRefusal("2 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n") ==
-        "poses.txt:2: the stamp does not grow; sort the file and remove doubles");
+        "poses.txt:2: the stamp does not increase; sort the file and remove duplicates");
   CHECK(folder.tumRefusal("1 0 0 0 0 0 0 0.5\n") ==
         "poses.txt:1: the quaternion has length 0.500000 instead of 1");
   CHECK(folder.tumRefusal("99999999999 0 0 0 0 0 0 1\n") ==
@@ -134,7 +134,7 @@ TEST_CASE("a file cut within its last number is refused, one without a last line
   CHECK(readTrajectory(folder.file("0 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1")).isOk());
 }
 
-TEST_CASE("junk never crashes a reader, and its message stays printable") {
+TEST_CASE("random bytes never crash a reader, and its message is printable") {
   const Folder folder;
   RandomStream random(7);
   for (int round = 0; round < 200; ++round) {

@@ -81,7 +81,7 @@ TEST_CASE("an ideal von Mises ring: width and vector of the closed form, all abo
         Approx(std::cyl_bessel_i(1, kConcentration) / std::cyl_bessel_i(0, kConcentration))
             .margin(0.02));
   CHECK(scores.mean_vector_length->chance < 0.5);
-  CHECK(scores.mean_vector_length->share_above == 1);
+  CHECK(scores.mean_vector_length->share_better == 1);
 }
 
 TEST_CASE("ideal grids score above chance by their own definition") {
@@ -98,7 +98,7 @@ TEST_CASE("ideal grids score above chance by their own definition") {
   const UnitScore& own = hexagonal ? *scores.sargolini : *scores.square;
   const UnitScore& other = hexagonal ? *scores.square : *scores.sargolini;
   CHECK(own.median > 0.9);
-  CHECK(own.share_above == 1);
+  CHECK(own.share_better == 1);
   REQUIRE(scores.units.size() == 8);
   for (const SheetUnit& unit : scores.units) {
     REQUIRE(unit.scores);
@@ -108,7 +108,7 @@ TEST_CASE("ideal grids score above chance by their own definition") {
   CHECK(own.chance < 0.9);
   CHECK(own.shuffled_median < 0.3);
   CHECK(other.median < 0.3);
-  CHECK(scores.information_bits->share_above == 1);
+  CHECK(scores.information_bits->share_better == 1);
 }
 
 TEST_CASE("of Poisson noise about a twentieth is above chance") {
@@ -119,7 +119,7 @@ TEST_CASE("of Poisson noise about a twentieth is above chance") {
        {ring.mean_vector_length, ring.information_bits, ring.half_width_deg, sheet.square,
         sheet.sargolini, sheet.langston, sheet.information_bits}) {
     REQUIRE(score);
-    CHECK(score->share_above < 0.13);  // four standard deviations of 100 units at 5 %
+    CHECK(score->share_better < 0.13);  // four standard deviations of 100 units at 5 %
   }
   CHECK(ring.mean_vector_length->median ==
         Approx(ring.mean_vector_length->shuffled_median).epsilon(0.25));
@@ -147,8 +147,8 @@ TEST_CASE("percentiles by hand") {
   REQUIRE(score);
   CHECK(score->chance == Approx(95));
   CHECK(score->shuffled_median == 50);
-  CHECK(score->share_above == 0.75);
-  CHECK(againstChance({4, 6}, shuffled, Better::Less)->share_above == 0.5);
+  CHECK(score->share_better == 0.75);
+  CHECK(againstChance({4, 6}, shuffled, Better::Less)->share_better == 0.5);
   CHECK_FALSE(againstChance({}, shuffled));
   CHECK_FALSE(againstChance({1}, {}));
 }

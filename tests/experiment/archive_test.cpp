@@ -30,7 +30,7 @@ TEST_CASE("an archive runs elsewhere, with the same results") {
   const Finished refused =
       tolman::test::tolman({"sweep", "archive", study.out().string(), "--out", own.string()});
   CHECK(refused.exit_code == 8);
-  CHECK(contains(refused.err, "exists; choose another --out, or replace it by --force"));
+  CHECK(contains(refused.err, "exists; choose another --out, or replace it with --force"));
   CHECK(readText(own) == "somebody's");
 
   const TemporaryFolder other;

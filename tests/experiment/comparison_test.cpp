@@ -144,7 +144,7 @@ TEST_CASE("seeds with equal results count as one run") {
   CHECK_FALSE(compared.value().levels[0].interval);
 }
 
-TEST_CASE("a factor that changes nothing is told") {
+TEST_CASE("a factor that changes nothing is reported") {
   std::vector<RunRow> same = rows();
   for (RunRow& r : same) r.results = r.label("sequence") + r.label("seed");
   const auto compared = compareRuns(same, {});
@@ -155,7 +155,7 @@ TEST_CASE("a factor that changes nothing is told") {
       "Only 6 of 12 runs have results of their own, byte for byte: cells.period changes nothing.");
 }
 
-TEST_CASE("a factor that changes nothing is told where some seeds change nothing, too") {
+TEST_CASE("a factor that changes nothing is reported although some seeds change nothing, too") {
   std::vector<RunRow> same = rows();
   for (RunRow& r : same) {
     r.results = r.label("sequence") + (r.label("seed") == "3" ? "1" : r.label("seed"));
@@ -199,7 +199,7 @@ TEST_CASE("drifts over segments of different lengths are not averaged") {
   CHECK(compareRuns(all, options).isOk());  // other errors have no segments
 }
 
-TEST_CASE("runs that lost tracking, and different coverages of the sequences, are told") {
+TEST_CASE("runs that lost tracking, and different coverages of the sequences, are reported") {
   std::vector<RunRow> all = rows();
   for (RunRow& r : all) {
     if (r.label("sequence") == "b") r.metrics["map.coverage"] = 0.76;
@@ -216,7 +216,7 @@ TEST_CASE("runs that lost tracking, and different coverages of the sequences, ar
         "part that was tracked.");
 }
 
-TEST_CASE("what must not be averaged is refused") {
+TEST_CASE("runs whose errors must not be averaged are refused") {
   const auto refusal = [](const auto& change) {
     std::vector<RunRow> all = rows();
     change(all.back());

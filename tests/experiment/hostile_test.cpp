@@ -74,7 +74,7 @@ TEST_CASE("the run of another sweep in a folder is not this one's") {
   CHECK(contains(point.err, "is of another run, whose key is not in the folder's name"));
 }
 
-TEST_CASE("a full disk: told, and with room the sweep goes on to the same results") {
+TEST_CASE("a full disk is reported, and with room the sweep continues to the same results") {
   const Study study;
   REQUIRE(study.sweep({}, "whole").exit_code == 0);
   fs::create_directories(study.out());
@@ -220,7 +220,8 @@ TEST_CASE("a sweep and its table replace files of other programs only by force")
   std::ofstream(snakefile) << "rule mine:\n";
   const Finished refused = study.sweep({"--write", "snakemake"});
   CHECK(refused.exit_code == 8);
-  CHECK(contains(refused.err, "Snakefile: exists; choose another --out, or replace it by --force"));
+  CHECK(
+      contains(refused.err, "Snakefile: exists; choose another --out, or replace it with --force"));
   CHECK(readText(snakefile) == "rule mine:\n");
   REQUIRE(study.sweep({"--write", "snakemake", "--force"}).exit_code == 0);
   CHECK(contains(readText(snakefile), "# Runs of the sweep"));

@@ -108,7 +108,7 @@ TEST_CASE("random and Sobol' samples lie in their ranges") {
   }
 }
 
-TEST_CASE("mistakes are told with line and remedy") {
+TEST_CASE("errors in a sweep file are reported with line and remedy") {
   const auto told = [](const std::string& yaml, const std::string& part) {
     const std::string problems = read(yaml).problems;
     INFO(problems);
@@ -135,7 +135,7 @@ TEST_CASE("mistakes are told with line and remedy") {
   told("base: motion\nset: {name: x}\n", "points have names of their own");
 }
 
-TEST_CASE("what varies in two ways is refused, as one of them would win in silence") {
+TEST_CASE("a key that varies in two ways is refused, as one would silently override the other") {
   CHECK_THAT(
       read("base: motion\ngrid: {seed: [7, 8]}\nseeds: 2\n").problems,
       Catch::Contains("study.yaml: seed: varies in two ways, and a run has one value of it"));

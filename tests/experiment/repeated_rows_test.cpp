@@ -104,7 +104,7 @@ TEST_CASE("so are the cells of a table") {
   CHECK(pivotOf(together(sweep("a"), changed()), options).isOk());
 }
 
-TEST_CASE("labels that look alike together are not one setting in silence") {
+TEST_CASE("runs with different factors but equal joined labels are refused as one setting") {
   std::vector<RunRow> rows = {repeatedRow("a", "1, 2", 3, 1), repeatedRow("a", "1", 3, 2)};
   rows[0].factors = {{"x", "1, 2"}, {"y", "3"}};
   rows[1].factors = {{"x", "1"}, {"y", "2, 3"}};

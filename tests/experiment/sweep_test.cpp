@@ -49,7 +49,7 @@ TEST_CASE("a sweep runs all points once, and what is added later") {
   CHECK(contains(study.sweep({"--dry-run"}).out, "12 runs in the folder are not in the file"));
 }
 
-TEST_CASE("a wrong point is told with key, file and line before anything runs") {
+TEST_CASE("an invalid point is reported with key, file and line before anything runs") {
   const Study study;
   study.write("list: {model: {good: {}, bad: {cells.perod: 3, place.kept: 7}}}\n");
   const Finished finished = study.sweep();
@@ -88,7 +88,7 @@ TEST_CASE("a sweep that is killed goes on and ends with the same results") {
   CHECK(study.results() == study.results("whole"));
 }
 
-TEST_CASE("a run that fails is told, left alone, and tried again on demand") {
+TEST_CASE("a run that fails is reported, kept, and repeated on demand") {
   const Study study;
   study.write("list: {log: {right: {}, wrong: {source.odometry: none.g2o}}}\n");
   const Finished first = study.sweep();
@@ -104,7 +104,7 @@ TEST_CASE("a run that fails is told, left alone, and tried again on demand") {
   CHECK(contains(study.sweep({"--retry"}).err, "none.g2o"));
 }
 
-TEST_CASE("data that change after planning are told; planning again makes new runs") {
+TEST_CASE("data that change after planning are reported; planning again makes new runs") {
   const Study study;
   REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);
   writeMotionFolder(study.folder.path() / "b", 0.004);
@@ -306,7 +306,7 @@ TEST_CASE("figures from the records: error over distance, and maps over the true
   CHECK(draw("maps", "x.svg", of_a).exit_code != 0);
 }
 
-TEST_CASE("data that are not there are told before anything runs") {
+TEST_CASE("missing data are reported before anything runs") {
   const Study study;
   fs::remove_all(study.folder.path() / "b");
   const Finished planned = study.sweep({"--dry-run"});

@@ -63,7 +63,7 @@ TEST_CASE("a folder named twice, in two spellings or through a link, counts once
   CHECK(std::holds_alternative<Manifest>(catalogue.find("steady", Role::Odometry)));
 }
 
-TEST_CASE("what is not found is said with places and the nearest name") {
+TEST_CASE("an unknown plugin is refused with the searched folders and the nearest name") {
   const Catalogue catalogue({fixtureFolder("steady")});
   const auto typo = catalogue.find("stedy", Role::Odometry);
   CHECK(refusalOf(typo).message ==

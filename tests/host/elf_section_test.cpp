@@ -67,7 +67,7 @@ TEST_CASE("a 32-bit or foreign library is refused as the wrong machine") {
   CHECK(refusalOf(read(write(folder, bytes))).id == "plugin/wrong-machine");
 }
 
-TEST_CASE("damaged bytes never bring the reader down") {
+TEST_CASE("damaged bytes never crash the reader") {
   const test::TemporaryFolder folder;
   const std::string whole = contents(test::fixtureFile("steady"));
   RandomStream random(7);

@@ -27,7 +27,7 @@ struct ShortLived : std::exception {
 
 }  // namespace
 
-TEST_CASE("what is thrown is told, of any type") {
+TEST_CASE("exceptions of any type become a failure with their text") {
   const auto thrown = [](auto error) {
     return guarded(kTrack, [&]() -> Status { throw error; }).message();
   };
@@ -42,7 +42,7 @@ TEST_CASE("what is thrown is told, of any type") {
   CHECK(thrown(FailedCall(Status::failed("threw: no numbers"))) == site + ": no numbers");
 }
 
-TEST_CASE("a failure keeps its code and gets its place; without a frame none is named") {
+TEST_CASE("a failure keeps its code and gets the call site, with the frame if there is one") {
   for (const StatusCode code :
        {StatusCode::InvalidInput, StatusCode::InvalidParameter, StatusCode::Failed}) {
     const Status status = guarded(kConfigure, [&] { return Status(code, "is wrong"); });
@@ -89,7 +89,7 @@ TEST_CASE("the work is done once, in the caller's thread, and may change what it
 }
 
 #ifndef __SANITIZE_ADDRESS__  // its allocator ends the process
-TEST_CASE("a failure is told where there is no memory for its text") {
+TEST_CASE("a failure is reported even if there is no memory for its text") {
   struct Large : std::exception {
     std::string text = std::string(std::size_t{64} << 20U, 'x');
     const char* what() const noexcept override { return text.c_str(); }

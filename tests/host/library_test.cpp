@@ -18,7 +18,7 @@ OrRefusal<std::unique_ptr<Instance>> create(const std::string& library, const st
 
 }  // namespace
 
-TEST_CASE("a sound plugin loads and tells its parameters") {
+TEST_CASE("a valid plugin loads and has its parameters") {
   const auto loaded = load("steady", "steady");
   REQUIRE(std::holds_alternative<LoadedPlugin>(loaded));
   const Schema& schema = std::get<LoadedPlugin>(loaded).schema;
@@ -61,7 +61,7 @@ TEST_CASE("a constructor that throws, or makes nothing, is refused") {
   CHECK(refusalOf(create("returns_null", "returns_null")).id == "plugin/null-instance");
 }
 
-TEST_CASE("a destructor that throws is reported and the host lives") {
+TEST_CASE("a destructor that throws is reported, and the host continues") {
   auto created = create("misbehaving", "throws_in_destructor");
   REQUIRE(std::holds_alternative<std::unique_ptr<Instance>>(created));
   CHECK(std::get<std::unique_ptr<Instance>>(created)->destroy().message() ==

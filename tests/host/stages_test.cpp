@@ -82,7 +82,7 @@ TEST_CASE("a finish that throws is contained") {
 
 namespace {
 
-/// Cells that say what the test tells them to.
+/// Cells with the answers that the test sets.
 struct Puppet : Cells, ArraySource {
   using Parameters = NoParameters;
   Status configure(const Context&) override { return Status::ok(); }
@@ -181,7 +181,7 @@ TEST_CASE("arrays are checked, with the call and the frame in the message") {
 
 namespace {
 
-/// Place recognition that says what the test tells it to, or fails.
+/// Place recognition with the answers that the test sets, or a failure.
 struct PlacePuppet : Place {
   using Parameters = NoParameters;
   Status configure(const Context&) override { return Status::ok(); }
@@ -254,7 +254,7 @@ TEST_CASE("after a failure a template may be one more than were given, and no ot
         "made template 77; ids are 0, 1, 2, ... without gaps, the next one is at most 3");
 }
 
-TEST_CASE("a true pose that was not told is refused, one that is missing is not") {
+TEST_CASE("a true pose that info() did not announce is refused, a missing one is not") {
   const auto given = [](bool tells, bool gives) {
     SourcePuppet::tells_truth = tells;
     SourcePuppet::gives_truth = gives;

@@ -34,7 +34,7 @@ TEST_CASE("NaN, infinity and illegal enumerations name the field") {
 
 TEST_CASE("numbers and positions have a limit") {
   CHECK(message([](Motion& m) { m.v = 1e300; }) ==
-        "'v' is larger than a record takes (1e100; integers 2^62)");
+        "'v' is larger than a record takes: numbers to 1e100, integers to 2^62");
   CHECK(message([](Motion& m) { m.v = -1e100; }).empty());
   CHECK(message([](Motion& m) { m.tracked = INT64_MAX; }).starts_with("'tracked' is larger"));
   CHECK(message([](Motion& m) { m.covariance(3, 3) = 1e200; }).starts_with("'covariance' is"));

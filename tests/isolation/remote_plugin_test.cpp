@@ -129,7 +129,7 @@ TEST_CASE("an exception is reported as in the host") {
         "stage (throws_an_integer), track, frame 3: threw something that is not a std::exception");
 }
 
-TEST_CASE("what fails while arrays are read is told once") {
+TEST_CASE("a failure while arrays are read is reported once") {
   Isolated<host::CellsStage> isolated("role_faults", "array_throws");
   std::vector<NamedArray> arrays;
   Motion motion;

@@ -19,7 +19,7 @@ TEST_CASE("a queue gives back in order what went in") {
   CHECK_FALSE(queue.pop());
 }
 
-TEST_CASE("a full queue drops what its policy says, and tells") {
+TEST_CASE("a full queue drops by its policy, and returns what it dropped") {
   BoundedQueue<int> newest(2, QueuePolicy::DropNewest);
   BoundedQueue<int> oldest(2, QueuePolicy::DropOldest);
   for (const int item : {1, 2}) {

@@ -82,7 +82,7 @@ TEST_CASE("skip: place, cells and map answer nothing new for the frame") {
   }
 }
 
-TEST_CASE("a stage that fails to the end skips as many frames as there are") {
+TEST_CASE("a stage that fails at every frame skips every frame") {
   Hooks hooks;
   hooks.cells = [](std::int64_t) { return Status::failed("broken"); };
   hooks.map_finish = [] { throw std::runtime_error("broken"); };
@@ -98,7 +98,7 @@ TEST_CASE("a listener that fails (a full disk) stops the run with its own status
   Hooks hooks;
   ToySystem system(hooks);
   system.diary.on_frame = [](std::int64_t frame) {
-    // Slow enough that the frames behind this one are already through the map.
+    // Slow enough that the map has processed the frames after this one.
     if (frame == 4) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     return frame == 4 ? Status::failed("broken") : Status::ok();
   };
@@ -106,14 +106,14 @@ TEST_CASE("a listener that fails (a full disk) stops the run with its own status
   REQUIRE(result.failure);
   CHECK(result.failure->role == Role::Observer);
   CHECK(result.failure->status.message() == "broken");
-  // Those that the map took meanwhile are told of, without a gap; new ones are not begun.
+  // Frames that the map processed meanwhile are published without a gap; no new ones are started.
   const std::size_t count = system.diary.entries.size();
   CHECK(count >= 5);
   CHECK(count < 15);
   CHECK(system.diary.entries.back().frame == static_cast<std::int64_t>(count) - 1);
 }
 
-TEST_CASE("a map that does not know frames it took fails the run, or is told of") {
+TEST_CASE("a map without poses of frames that it accepted stops the run, or is reported") {
   Hooks hooks;
   hooks.pose_of = [](std::int64_t frame) {
     return frame == 3 || frame == 4 ? Status::invalidParameter("not seen") : Status::ok();
@@ -123,14 +123,14 @@ TEST_CASE("a map that does not know frames it took fails the run, or is told of"
   REQUIRE(stopped.failure);
   CHECK(stopped.failure->role == Role::Map);
   CHECK(stopped.failure->status.message() ==
-        "poseOf() knows no pose of 2 frames that update() took; the trajectories lack them");
+        "poseOf() has no pose for 2 frames that update() accepted; the trajectories lack them");
   ToySystem skipping(hooks);
   const auto policy = FailurePolicy::Skip;
   CHECK_FALSE(skipping.drive({}, 2, {policy, policy, policy, policy}).failure);
-  CHECK(skipping.diary.events.back().message.find("no pose of 2 frames") != std::string::npos);
+  CHECK(skipping.diary.events.back().message.find("no pose for 2 frames") != std::string::npos);
 }
 
-TEST_CASE("after a failure no graph is told that names a frame without a record") {
+TEST_CASE("after a failure no graph with a frame without a record is published") {
   Hooks hooks;
   hooks.map_grows = true;  // an experience a frame
   bool fails = true;
@@ -155,7 +155,7 @@ TEST_CASE("after a failure no graph is told that names a frame without a record"
   CHECK(system.diary.final_size == 0);  // the graph has frame 5
 }
 
-TEST_CASE("after a failure of another stage the map of the frames before is told") {
+TEST_CASE("after a failure of another stage the map of the earlier frames is published") {
   Hooks hooks;
   hooks.map_grows = true;
   hooks.cells = [](std::int64_t frame) {

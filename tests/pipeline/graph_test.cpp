@@ -39,7 +39,7 @@ TEST_CASE("publishing a graph that grows without end costs a bounded time a fram
                       [](double sum, const auto& graph) { return sum + double(graph.second); });
   CHECK(copied / 8000 < 400);  // with every change it would be 4000
   for (std::size_t k = 1; k < graphs.size(); ++k) {
-    // What is shown is never older than the size of the map says: 20 frames at 8000.
+    // The published graph is at most as old as its size allows: 20 frames at a size of 8000.
     CHECK(graphs[k].first - graphs[k - 1].first <=
           1 + static_cast<std::int64_t>(graphs[k - 1].second / 400));
     CHECK(graphs[k].second == static_cast<std::size_t>(graphs[k].first + 1));  // and is of now
@@ -61,7 +61,7 @@ TEST_CASE("a change that had to wait is published although nothing changes any m
   CHECK(system.diary.graphs.back().first <= 1004);
 }
 
-TEST_CASE("place recognition is asked once what it reads") {
+TEST_CASE("PlaceInput is read once") {
   Hooks hooks;
   ToySystem system(hooks);
   REQUIRE_FALSE(system.drive({}, 2).failure);

@@ -78,7 +78,7 @@ TEST_CASE("skipped failures leave every frame published, counted, and the same f
   }
 }
 
-TEST_CASE("what fails often is told ten times, and counted to the end") {
+TEST_CASE("repeated failures are reported ten times, and all are counted") {
   RandomStream random(72);
   const Draws draws(random, 0.6);
   Hooks hooks;

@@ -44,7 +44,7 @@ std::vector<std::int64_t> jam(QueuePolicy policy, pipeline::DriveResult& result)
   for (const auto& entry : system.diary.entries) frames.push_back(entry.frame);
   CHECK_FALSE(result.failure);
   CHECK(result.counters.frames + result.counters.dropped == 20);
-  // One event for each, and at the end one that says what that means for the files.
+  // One event for each, and a last one about the effect on the files.
   const auto events = static_cast<std::int64_t>(system.diary.events.size());
   CHECK(events == result.counters.dropped + (result.counters.dropped > 0 ? 1 : 0));
   return frames;

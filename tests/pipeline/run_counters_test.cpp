@@ -46,7 +46,7 @@ TEST_CASE("the cause is named: one frame, limits of checks, or images") {
   CHECK(says(counters(10, 10, 0), "are the images rectified"));
   RunCounters impossible = counters(10, 1, 9);
   impossible.impossible = 9;
-  CHECK(says(impossible, "`checks` took them for impossible"));
+  CHECK(says(impossible, "most motions exceed the limits of `checks`"));
   impossible.impossible = 3;
   CHECK(says(impossible, "are the images rectified"));
 }

@@ -198,7 +198,7 @@ struct ToyMap : Map, ToyState<double> {
   std::map<std::int64_t, double> z;  ///< by frame; not saved
 };
 
-/// Remembers what was told, for comparison.
+/// Stores all events and frames, for comparison.
 struct Diary : pipeline::Listener {
   struct Entry {
     std::int64_t frame;

@@ -105,7 +105,8 @@ RUNNING = {
     "unknown action": (program(step="answer.action = 'fly'"), "step().action: should be one of 'stay'"),
     "text for a number": (program(step="answer.heading = 'north'"), "step().heading: should be a number, not str"),
     "fraction for an integer": (program(step="answer.experience = 0.5"), "step().experience: should be an integer"),
-    "an integer too large": (program(step="answer.experience = 2**70"), "an integer of 64 bits"),
+    "an integer too large": (program(step="answer.experience = 2**70"), "an integer of 64 bits; this one needs more"),
+    "raises half a character": (program(step="raise ValueError('a\\udc80b')"), "step, frame 3: ValueError: a\ufffdb (mine.py:13"),
     "complex numbers": (program(imports="import numpy", step="answer.covariance = 1j * numpy.eye(6)"),
                         "step().covariance: should be an array of real numbers"),
     "masked numbers": (

@@ -5,10 +5,14 @@ import sqlite3
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 from support import Systems, tolman
 
 import numpy as np
+
+from tolman import npz
+from tolman.results import Run
 
 
 class NpzTest(Systems):
@@ -48,6 +52,23 @@ class NpzTest(Systems):
         self.assertEqual([(writer.communicate()[1], writer.returncode) for writer in writers], [("", 0)] * 4)
         self.assertIn("frame/stamp_ns", np.load(self.folder / "same.npz").files)
         self.assertEqual(list(self.folder.glob("*.part")), [])
+
+    def test_a_run_that_goes_on_is_exported_as_it_was_at_one_moment(self):
+        self.assertEqual(self.run_system().returncode, 0)
+        run_continues = sqlite3.connect(self.folder / "run/run.sqlite", isolation_level=None)
+        run_continues.execute("PRAGMA journal_mode=WAL")  # as while the run goes on
+        table = Run.table
+
+        def table_before_a_change(run, name):
+            read = table(run, name)
+            run_continues.execute("UPDATE map_update SET experience = 99")
+            return read
+
+        with unittest.mock.patch.object(Run, "table", table_before_a_change):
+            npz.write(self.folder / "run")
+        file = np.load(self.folder / "run/run.npz")
+        self.assertNotIn(99, file["map_update/experience"])
+        self.assertEqual(set(Run(self.folder / "run").map["experience"]), {99})
 
     def test_what_is_no_run_is_told(self):
         done = tolman("export", self.folder, "--npz")

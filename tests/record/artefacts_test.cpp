@@ -61,7 +61,7 @@ TEST_CASE("an instance's name cannot lead out either") {
   CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 
-TEST_CASE("names that are strange but harmless are taken") {
+TEST_CASE("unusual but harmless names are accepted") {
   const test::TemporaryFolder folder;
   ArtefactFolder artefacts(folder.path(), "map");
   for (const char* name : {"...", "..x", ".hidden", "a b", "k\xc3\xa4rtchen.svg", "a/b/c/d/e/f"}) {
@@ -81,7 +81,7 @@ TEST_CASE("any bytes are kept, and none") {
   CHECK(fs::file_size(folder.path() / "artefacts/map/empty") == 0);
 }
 
-TEST_CASE("what stands in the way is named") {
+TEST_CASE("a file in the place of the artefact is named") {
   const test::TemporaryFolder folder;
   ArtefactFolder artefacts(folder.path(), "map");
   REQUIRE(artefacts.write("file", bytes("x")).isOk());
@@ -95,7 +95,7 @@ TEST_CASE("what stands in the way is named") {
   CHECK_FALSE(fs::exists(folder.path() / "absent"));
 }
 
-TEST_CASE("two instances of one plugin do not meet") {
+TEST_CASE("two instances of one plugin have separate folders") {
   const test::TemporaryFolder folder;
   REQUIRE(ArtefactFolder(folder.path(), "left").write("a", bytes("1")).isOk());
   REQUIRE(ArtefactFolder(folder.path(), "right").write("a", bytes("2")).isOk());

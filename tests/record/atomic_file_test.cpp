@@ -59,7 +59,7 @@ TEST_CASE("a write that fails leaves the old file and no temporary one") {
   CHECK(filesIn(folder.path()) == 1);
 }
 
-TEST_CASE("what a killed program has left neither hinders nor is touched") {
+TEST_CASE("temporary files of a killed program do not interfere and are kept") {
   const test::TemporaryFolder folder;
   std::ofstream(folder.path() / ".a.txt.partial0") << "half a fi";
   std::ofstream(folder.path() / ".a.txt.partial1") << "half";
@@ -69,7 +69,7 @@ TEST_CASE("what a killed program has left neither hinders nor is touched") {
   CHECK(filesIn(folder.path()) == 3);
 }
 
-TEST_CASE("any bytes, none, and names that a shell would trip over") {
+TEST_CASE("any contents, none, and names with characters that are special to a shell") {
   const test::TemporaryFolder folder;
   const std::string bytes("a\0b\n\xff", 5);
   REQUIRE(writeAtomically(folder.path() / "with 'space'", bytes).isOk());
@@ -87,7 +87,7 @@ TEST_CASE("a folder in the place of the file is a failure that leaves nothing") 
   CHECK(filesIn(folder.path()) == 1);
 }
 
-TEST_CASE("a reader meets whole files only, however often they are replaced") {
+TEST_CASE("a reader sees only complete files, however often they are replaced") {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "a.txt";
   REQUIRE(writeAtomically(file, std::string(50'000, '0')).isOk());

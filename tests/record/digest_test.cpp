@@ -26,7 +26,7 @@ void recordRun(const std::filesystem::path& folder, std::int64_t frames) {
   REQUIRE(recorder->close().isOk());
 }
 
-/// All rows but those that only tell of the machine.
+/// All rows except those that depend on the machine.
 std::vector<std::string> rowsOf(const std::filesystem::path& folder) {
   const std::set<std::string> machine = {"timing", "event", "run"};
   std::vector<std::string> rows;

@@ -103,21 +103,21 @@ TEST_CASE("a run exports from its database alone") {
   CHECK_FALSE(exportRun(out, out).isOk());
 }
 
-TEST_CASE("an empty run has nothing to export, and says so") {
+TEST_CASE("an export of an empty run is refused") {
   const test::TemporaryFolder folder;
   recordRun(folder.path(), 0);
   CHECK(exportRun(folder.path(), folder.path()).status().message() ==
         folder.path().string() + ": holds nothing to export yet");
 }
 
-TEST_CASE("odometry files are the product of all steps, revised ones as revised last") {
+TEST_CASE("odometry files are the product of all motions, each with its last revision") {
   const RandomWalk walk;
   REQUIRE(exportRun(walk.folder.path(), walk.folder.path()).isOk());
   const auto poses = readTum(walk.folder.path() / "odometry.tum");
   const auto kitti = test::linesOf(test::contentOf(walk.folder.path() / "odometry.kitti"));
   REQUIRE(poses.size() == RandomWalk::kFrames);
   REQUIRE(kitti.size() == RandomWalk::kFrames);
-  Eigen::Matrix4d product = Eigen::Matrix4d::Identity();  // whatever step frame 0 says
+  Eigen::Matrix4d product = Eigen::Matrix4d::Identity();  // the motion of frame 0 does not count
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (i > 0) product *= walk.steps[i];
     CHECK((poses[i] - product).norm() < 1e-12);
@@ -214,7 +214,7 @@ TEST_CASE("a killed run exports what SQL finds in it") {
   for (std::size_t i = 0; i < poses.size(); ++i) CHECK(poses[i](2, 3) == double(i));
 }
 
-TEST_CASE("an export that cannot be written, or of a damaged map, says why") {
+TEST_CASE("an export that cannot be written, or of a damaged map, is refused with the reason") {
   const test::TemporaryFolder folder;
   recordRun(folder.path(), 2);
   const auto absent = folder.path() / "absent";

@@ -113,7 +113,7 @@ TEST_CASE("a KITTI file reads back exactly: the upper three rows of each matrix"
   }
 }
 
-TEST_CASE("a KITTI file refuses what would make lines lie") {
+TEST_CASE("a KITTI file refuses frames whose numbers would not be line numbers") {
   CHECK(kittiText({}).value().empty());
   CHECK_FALSE(kittiText(std::vector{poseAt(2, 0, 0), poseAt(2, 1, 0)}).isOk());
   CHECK_FALSE(kittiText(std::vector{poseAt(2, 0, 0), poseAt(1, 1, 0)}).isOk());

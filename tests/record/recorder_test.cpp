@@ -136,7 +136,7 @@ TEST_CASE("a row that breaks a rule fails its call alone") {
   CHECK(reader->graph().value().links.empty());
 }
 
-TEST_CASE("timing, events and facts are kept; a closed recorder refuses") {
+TEST_CASE("timing, events and meta values are stored; a closed recorder refuses") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
   REQUIRE(recorder->timing(0, "odometry", 5).isOk());
@@ -174,7 +174,7 @@ TEST_CASE("several threads write at once") {
   for (const auto& [stage, durations] : timing) CHECK(durations.size() == 200);
 }
 
-TEST_CASE("no recording over a recording, nor where there is no folder") {
+TEST_CASE("an existing record, or a missing folder, is refused") {
   const test::TemporaryFolder folder;
   REQUIRE(Recorder::open(folder.path()).isOk());
   CHECK(Recorder::open(folder.path()).status().message() ==
@@ -182,7 +182,7 @@ TEST_CASE("no recording over a recording, nor where there is no folder") {
   CHECK_FALSE(Recorder::open(folder.path() / "absent").isOk());
 }
 
-TEST_CASE("a full disk is a failure, not a crash, and stays one") {
+TEST_CASE("a full disk is a failure, and all later calls return it") {
   const test::TemporaryFolder folder;
   const pid_t child = fork();
   if (child == 0) {

@@ -5,11 +5,13 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
 
 #include "record/by_hand.hpp"
+#include "record/export.hpp"
 #include "record/run_reader.hpp"
 #include "record/sample_run.hpp"
 #include "support/data.hpp"
@@ -63,7 +65,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("edits of the rows of a killed run are told, by table; taken back, they are none") {
+TEST_CASE("edited rows of a killed run are detected and name the table; undone edits are not") {
   const std::vector<std::pair<std::string, std::string>> edits = {
       {"motion", "UPDATE motion SET T_previous_current_z = 2 WHERE frame = 2"},
       {"motion", "UPDATE motion SET state = 'lost' WHERE frame = 2"},
@@ -95,6 +97,18 @@ TEST_CASE("edits of the rows of a killed run are told, by table; taken back, the
     REQUIRE_FALSE(again.isOk());
     CHECK(contains(again.status().message(), "the rows of table '" + table + "'"));
   }
+}
+
+TEST_CASE("only the tables that are asked for are compared, of a run that ended") {
+  const test::TemporaryFolder folder;
+  REQUIRE(killedRun(folder.path())->close().isOk());
+  test::queryByHand(folder.path(), "UPDATE timing SET duration_ns = 1");
+  const auto reader = RunReader::open(folder.path()).value();
+  CHECK_FALSE(reader->rowsWereCompared());
+  CHECK(checkRows(*reader, std::array<std::string_view, 2>{"link", "motion"}).isOk());
+  CHECK(contains(std::string(checkRows(*reader).message()), "the rows of table 'timing'"));
+  const std::array<std::string_view, 2> with_it = {"link", "timing"};
+  CHECK(contains(std::string(checkRows(*reader, with_it).message()), "table 'timing'"));
 }
 
 TEST_CASE("a change that is taken back, and a compacted file, are the record that it was") {
@@ -132,7 +146,7 @@ TEST_CASE("calls that are undone, and records that are opened again, keep the su
   CHECK(contains(refusal(folder.path()), "'link'"));
 }
 
-TEST_CASE("a record of an earlier version, without sums, is read and opened, and says so") {
+TEST_CASE("a record of an earlier version, without sums, is read and reopened, and reports it") {
   const test::TemporaryFolder folder;
   killedRun(folder.path());
   test::queryByHand(folder.path(),

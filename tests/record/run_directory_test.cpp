@@ -46,7 +46,7 @@ TEST_CASE("a run's name cannot lead out of the root") {
   CHECK(run.value().path().parent_path() == fs::canonical(folder.path()) / "runs");
 }
 
-TEST_CASE("a folder named `latest` is left alone") {
+TEST_CASE("a folder named `latest` is not changed") {
   const test::TemporaryFolder folder;
   fs::create_directories(folder.path() / "runs/latest/precious");
   CHECK(RunDirectory::create(named(folder.path(), "a")).isOk());
@@ -94,7 +94,7 @@ TEST_CASE("two runs cannot share a folder") {
         out.string() + ": another run is writing here; choose another --out");
 }
 
-TEST_CASE("a run was killed if it never said that it ended and nobody writes") {
+TEST_CASE("a run was killed if its status is running and no process holds the lock") {
   const test::TemporaryFolder folder;
   CHECK_FALSE(RunDirectory::wasKilled(folder.path()));
   {

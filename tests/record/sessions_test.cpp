@@ -38,7 +38,7 @@ void join(MapGraph& graph, std::int64_t from, std::int64_t to) {
 
 }  // namespace
 
-TEST_CASE("a run inherits the frames of an earlier one, and its record needs the old no more") {
+TEST_CASE("a run copies the frames of an earlier one, and its record is complete without it") {
   const test::TemporaryFolder old_folder;
   const test::TemporaryFolder folder;
   {

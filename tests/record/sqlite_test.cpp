@@ -65,7 +65,7 @@ TEST_CASE("a statement that has ended, or failed, can be bound afresh") {
   CHECK(sum.next().getString() == "1,2,3");
 }
 
-TEST_CASE("what SQLite refuses is said with the remedy") {
+TEST_CASE("an error of SQLite becomes a message with a remedy") {
   const test::TemporaryFolder folder;
   const auto refusal = [](auto work) { return guarded("", work).message(); };
   CHECK(refusal([&] { openDatabase(folder.path() / "absent", Access::ReadOnly); }) ==
@@ -110,7 +110,7 @@ TEST_CASE("a reader rolls back what a killed writer has left unfinished") {
   CHECK(rows.next().getInt64() == 0);
 }
 
-TEST_CASE("exceptions become a Status that says whose fault it is") {
+TEST_CASE("exceptions become a Status whose code and text name the cause") {
   CHECK(guarded("file", [] {}).isOk());
   const Status bad = guarded("file", [] { throw BadRow("is bent"); });
   CHECK(bad.code() == StatusCode::InvalidInput);

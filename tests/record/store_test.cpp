@@ -46,7 +46,7 @@ TEST_CASE("an upsert replaces every column of the row with its id, and no other 
   CHECK(rows[2].template_id == 2);
 }
 
-TEST_CASE("revisions come back with the motion that brought them, in their order") {
+TEST_CASE("revisions are read back with their motion, in order") {
   Tables tables;
   for (std::int64_t i = 0; i < 3; ++i) {
     Motion motion = test::motionAt(i);
@@ -69,7 +69,7 @@ TEST_CASE("revisions come back with the motion that brought them, in their order
   CHECK(tables.rows<MotionRevision>("WHERE announced_at IS NULL").size() == 1);
 }
 
-TEST_CASE("loops of earlier frames come back with the decision that told them") {
+TEST_CASE("loops of earlier frames are read back with their decision") {
   Tables tables;
   RandomStream random(5);
   Decision decision;
@@ -87,7 +87,7 @@ TEST_CASE("loops of earlier frames come back with the decision that told them") 
   CHECK(read[0].earlier[0].covariance == Matrix6d::Identity());
 }
 
-TEST_CASE("arrays keep name, shape and every bit, and know their source") {
+TEST_CASE("arrays are read back with name, shape, source and every bit") {
   Tables tables;
   const std::vector<NamedArray> arrays = {
       {"scalar", {}, {std::numeric_limits<float>::denorm_min()}},

@@ -29,8 +29,8 @@ TEST_CASE("right cells have no error, in whatever frame the truth is, and score 
   CHECK(cells.modulo_m == 0);
   CHECK(cells.least_shift_s == Approx(6).epsilon(0.01));  // a tenth of 60 s
   REQUIRE((cells.rings[0].scores.mean_vector_length && cells.sheets[0].scores.square));
-  CHECK(cells.rings[0].scores.mean_vector_length->share_above == 1);
-  CHECK(cells.sheets[0].scores.square->share_above > 0.8);
+  CHECK(cells.rings[0].scores.mean_vector_length->share_better == 1);
+  CHECK(cells.sheets[0].scores.square->share_better > 0.8);
   CHECK(cells.sheets[0].units == 144);
 }
 

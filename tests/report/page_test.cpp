@@ -26,7 +26,7 @@ TEST_CASE("a page holds figures, errors, health, provenance and configuration of
   std::ofstream(folder.path() / "run.json")
       << R"({"seed": 7, "counters": {"frames": 12, "lost": 1}})";
   std::ofstream(folder.path() / "config.resolved.yaml") << "name: sample\n";
-  const auto page = makePage(folder.path(), {});
+  const auto page = test::pageOf(folder.path());
   REQUIRE(page.isOk());
   std::vector<std::string> names;
   for (const PageFigure& figure : page.value().figures) names.push_back(figure.file);
@@ -44,7 +44,7 @@ TEST_CASE("a page holds figures, errors, health, provenance and configuration of
 TEST_CASE("a page needs no network, and names in it are only text") {
   const test::TemporaryFolder folder;
   test::recordRichRun(folder.path(), 3, "<script>alert(1)</script>");
-  const std::string text = html({makePage(folder.path(), {}).value()});
+  const std::string text = html({test::pageOf(folder.path()).value()});
   CHECK_FALSE(contains(text, "<script"));
   const std::regex link("(src|href|url\\()(?!=\"data:)");
   CHECK_FALSE(std::regex_search(text, link));
@@ -53,11 +53,11 @@ TEST_CASE("a page needs no network, and names in it are only text") {
 TEST_CASE("a killed run, without run.json and configuration, has a page too") {
   const test::TemporaryFolder folder;
   test::recordRichRun(folder.path(), 5, "killed");
-  const std::string text = html({makePage(folder.path(), {}).value()});
+  const std::string text = html({test::pageOf(folder.path()).value()});
   CHECK(contains(text, "<td>frames</td><td>5</td>"));
   CHECK_FALSE(contains(text, "was killed"));  // unknown without run.json
   std::ofstream(folder.path() / "run.json") << R"({"status": "running"})";
-  CHECK(contains(html({makePage(folder.path(), {}).value()}), "This run was killed."));
+  CHECK(contains(html({test::pageOf(folder.path()).value()}), "This run was killed."));
 }
 
 TEST_CASE("several runs stand side by side, under the names of their directories") {
@@ -66,25 +66,25 @@ TEST_CASE("several runs stand side by side, under the names of their directories
   test::recordRichRun(one.path(), 5, "first");
   test::recordRichRun(two.path(), 6, "second");
   const std::string text =
-      html({makePage(one.path(), {}).value(), makePage(two.path(), {}).value()});
+      html({test::pageOf(one.path()).value(), test::pageOf(two.path()).value()});
   const std::string a = one.path().filename().string();
   const std::string b = two.path().filename().string();
   CHECK(contains(text, "<title>Tolman: " + a + ", " + b + "</title>"));
   CHECK(contains(text, "<h1>" + a + "</h1>\n<p>first</p>"));
   CHECK(contains(text, "<h1>" + b + "</h1>\n<p>second</p>"));
   CHECK(contains(text, "(a) " + a + ", map rmse"));
-  CHECK_FALSE(contains(html({makePage(one.path(), {}).value()}), "(a) "));
+  CHECK_FALSE(contains(html({test::pageOf(one.path()).value()}), "(a) "));
 }
 
 TEST_CASE("the firing figure comes with its numbers, and a unit beyond the run's is refused") {
   const test::TemporaryFolder folder;
   test::recordRichRun(folder.path(), 12, "sample");
-  const auto page = makePage(folder.path(), {}, {1, 0, 1});
+  const auto page = test::pageOf(folder.path(), {1, 0, 1});
   REQUIRE(page.isOk());
   CHECK(page.value().neurons["head_direction"].size() == 4);
   CHECK(page.value().neurons["rate_maps"].contains("head direction unit 2 of 4, 90 deg"));
   CHECK(page.value().neurons["rate_maps"].contains("grid unit (1, 2), phase (0, 10) m"));
-  const auto refused = makePage(folder.path(), {}, {4, 0, 0});
+  const auto refused = test::pageOf(folder.path(), {4, 0, 0});
   REQUIRE_FALSE(refused.isOk());
   CHECK(refused.status().code() == StatusCode::InvalidParameter);
   CHECK(refused.status().message() ==
@@ -93,7 +93,7 @@ TEST_CASE("the firing figure comes with its numbers, and a unit beyond the run's
 
 TEST_CASE("what is no run is one clear error") {
   const test::TemporaryFolder folder;
-  const auto page = makePage(folder.path(), {});
+  const auto page = test::pageOf(folder.path());
   REQUIRE_FALSE(page.isOk());
   CHECK(contains(page.status().message(), "run.sqlite"));
 }
@@ -103,8 +103,8 @@ TEST_CASE("health and errors come before the figures, and of several runs the co
   const test::TemporaryFolder two;
   test::recordRichRun(one.path(), 5, "first");
   test::recordRichRun(two.path(), 6, "second");
-  const std::vector<RunPage> pages = {makePage(one.path(), {}).value(),
-                                      makePage(two.path(), {}).value()};
+  const std::vector<RunPage> pages = {test::pageOf(one.path()).value(),
+                                      test::pageOf(two.path()).value()};
   const std::string single = html({pages[0]});
   CHECK(single.find("<h2>Health</h2>") < single.find("<h2>Errors</h2>"));
   CHECK(single.find("<h2>Errors</h2>") < single.find("<figure"));
@@ -119,7 +119,7 @@ TEST_CASE("health and errors come before the figures, and of several runs the co
 TEST_CASE("in the dark no part of a figure stays as on paper, and none is too small to read") {
   const test::TemporaryFolder folder;
   test::recordRichRun(folder.path(), 12, "sample");
-  const RunPage page = makePage(folder.path(), {}).value();
+  const RunPage page = test::pageOf(folder.path()).value();
   const std::string text = html({page});
   const auto dark = text.find("@media (prefers-color-scheme: dark)");
   REQUIRE(dark != std::string::npos);

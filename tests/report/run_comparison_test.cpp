@@ -36,7 +36,7 @@ struct ThreeRuns {
       const auto path = folders[i].path();
       test::recordRichRun(path, static_cast<std::int64_t>(5 + i), "same");
       if (i < 2) std::ofstream(path / "run.json") << R"({"counters": {"lost": )" << i << "}}";
-      RunPage page = makePage(path, {}).value();
+      RunPage page = test::pageOf(path).value();
       page.directory = std::string(1, static_cast<char>('p' + i));
       page.settings.kind = config::Node::Kind::Map;
       page.settings.children = {scalar("name", page.directory), scalar("seed", "1"),

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "record/sample_run.hpp"
+#include "report/page.hpp"
 
 namespace tolman::test {
 
@@ -74,6 +75,16 @@ inline void recordRichRun(const std::filesystem::path& folder, std::int64_t fram
     REQUIRE(recorder->timing(i, "odometry", 2'000'000).isOk());
   }
   REQUIRE(recorder->close().isOk());
+}
+
+/// The page of a recorded run, evaluated by the default settings with seed 1.
+inline Result<report::RunPage> pageOf(const std::filesystem::path& folder,
+                                      const report::UnitChoice& units = {}) {
+  const auto reader = record::RunReader::open(folder);
+  if (!reader.isOk()) return reader.status();
+  auto data = report::readRun(*reader.value(), {}, 1);
+  if (!data.isOk()) return data.status();
+  return report::makePage(*reader.value(), std::move(data).value(), units);
 }
 
 }  // namespace tolman::test

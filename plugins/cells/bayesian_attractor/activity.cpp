@@ -125,6 +125,46 @@ ArrayAxis components(std::vector<std::string> labels) {
   return {"component", "", 0, 1, 0, std::move(labels)};
 }
 
+void describeSheets(const GridCode& grid, std::vector<ArrayInfo>& arrays) {
+  for (int module = 0; module < grid.modules(); ++module) {
+    const double period = grid.period(module);
+    const auto axis = [&](const char* name) {
+      return ArrayAxis{name, "m", 0, period / kSheetUnits, period, {}};
+    };
+    arrays.push_back({moduleName("grid", module) + ".activity",
+                      ArrayKind::Activity,
+                      "",
+                      "rates of the grid units of one module, 1 at the most",
+                      "",
+                      {axis("y"), axis("x")}});
+  }
+}
+
+/// Position, heading and height of the integrator, and their standard deviations.
+void describeEstimates(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) {
+  arrays.push_back(
+      {"position.decoded",
+       ArrayKind::Values,
+       "m, rad",
+       "position of the integrator from the origin, read from all modules, and heading",
+       "",
+       {components({"x", "y", "heading"})}});
+  arrays.push_back({"position.sigma",
+                    ArrayKind::Values,
+                    "m, rad",
+                    "standard deviations of the integrator since the last calibration",
+                    "",
+                    {components({"x", "y", "heading"})}});
+  if (network.code().height().modules() == 0) return;
+  arrays.push_back({"height.decoded",
+                    ArrayKind::Values,
+                    "m",
+                    "height of the integrator above the origin, and its standard deviation since "
+                    "the last calibration",
+                    "",
+                    {components({"height", "sigma"})}});
+}
+
 void describeHeights(const HeightCode& height, std::vector<ArrayInfo>& arrays) {
   for (int module = 0; module < height.modules(); ++module) {
     const double period = height.period(module);
@@ -164,54 +204,22 @@ void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays) {
 }
 
 void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) {
-  const GridCode& grid = network.code().grid();
   arrays.push_back({"hd.activity",
                     ArrayKind::Activity,
                     "",
                     "rates of head direction units, 1 at the most",
                     "",
                     {{"heading", "rad", 0, kTurn / kRingUnits, kTurn, {}}}});
-  for (int module = 0; module < grid.modules(); ++module) {
-    const double period = grid.period(module);
-    const auto axis = [&](const char* name) {
-      return ArrayAxis{name, "m", 0, period / kSheetUnits, period, {}};
-    };
-    arrays.push_back({moduleName("grid", module) + ".activity",
-                      ArrayKind::Activity,
-                      "",
-                      "rates of the grid units of one module, 1 at the most",
-                      "",
-                      {axis("y"), axis("x")}});
-  }
+  describeSheets(network.code().grid(), arrays);
   describeHeights(network.code().height(), arrays);
   arrays.push_back({"hypotheses",
                     ArrayKind::Bump,
                     "",
-                    "the integrator, then the calibration bumps; energy: share of all of it",
+                    "the integrator, then the calibration bumps; energy: posterior probability",
                     "",
                     {{"hypothesis", "", 0, 1, 0, {}},
                      components({"heading", "x", "y", "precision", "energy"})}});
-  arrays.push_back(
-      {"position.decoded",
-       ArrayKind::Values,
-       "m, rad",
-       "position of the integrator from the origin, read from all modules, and heading",
-       "",
-       {components({"x", "y", "heading"})}});
-  arrays.push_back({"position.sigma",
-                    ArrayKind::Values,
-                    "m, rad",
-                    "standard deviations of the integrator since the last calibration",
-                    "",
-                    {components({"x", "y", "heading"})}});
-  if (network.code().height().modules() == 0) return;
-  arrays.push_back({"height.decoded",
-                    ArrayKind::Values,
-                    "m",
-                    "height of the integrator above the origin, and its standard deviation since "
-                    "the last calibration",
-                    "",
-                    {components({"height", "sigma"})}});
+  describeEstimates(network, arrays);
 }
 
 }  // namespace tolman::bayesian_attractor

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kNovelSpacing = 1;  // m, between experiences of novel views; chosen, not tuned
 
-/// Slope of a steep road, rise over distance. It scales the standard deviation of the height of a
-/// view without measured pose. Chosen, not tuned.
+/// Slope of a steep road, rise over distance: the standard deviation of height over that of
+/// position, for a view without measured pose. Chosen, not tuned.
 constexpr double kSlope = 0.1;
 /// Most storeys that one view is linked to; the oldest link is removed first. Bounds
 /// memory and time.
@@ -118,8 +118,8 @@ LevelStep BayesianAttractor::offsetOf(const SeenPose& seen) const {
                   seen.T_template_current.linear() * state_->upright.up());
 }
 
-/// Whether the view is linked to several storeys of another part of the world. Such a view does
-/// not tell on which of them the robot is.
+/// Whether the view is linked to several storeys of another part of the path. Such a view does not
+/// determine on which of them the robot is.
 bool BayesianAttractor::isAmbiguous(const std::vector<ViewLink>& links,
                                     const ViewLink& link) const {
   const BumpNetwork& network = state_->network;
@@ -146,8 +146,8 @@ const ViewLink* BayesianAttractor::nearestStorey(std::int64_t template_id,
   return nearest;
 }
 
-/// Injects a familiar view, unless it was learned within loop_minimum_travel. A view that is known
-/// from other storeys only is linked to the present one as well.
+/// Injects a familiar view, unless its template was learned within loop_minimum_travel. A view
+/// whose links are all of other storeys is linked to the present one as well.
 BayesianAttractor::Perception BayesianAttractor::perceive(const PlaceObservation& view,
                                                           std::int64_t frame) {
   if (view.recognition != Recognition::Familiar) return {};

@@ -61,12 +61,12 @@ BumpNetwork::BumpNetwork(const NetworkSettings& settings)
   state_.stretch_start = state_.integrator;
 }
 
-void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed,
+void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& reported,
                             const Climb& climb) {
   const double length = std::hypot(step.x, step.y);
   const double along = settings_.drift_position * settings_.drift_position * length;
   const double turn = settings_.drift_heading * settings_.drift_heading * length;
-  Eigen::Matrix3d noise = claimed;
+  Eigen::Matrix3d noise = reported;
   noise.diagonal() += Eigen::Vector3d(along, along, turn);
   const double drift = settings_.drift_height * settings_.drift_height * length;
   const Climb rise = {climb.metres, climb.variance + drift};
@@ -101,7 +101,7 @@ void BumpNetwork::startPart() {
   state_.integrator.height_variance = 0;
   state_.stretch_start = state_.integrator;
   state_.calibration.clear();
-  // The share of right views was counted in another part of the world.
+  // The share of right views was counted on another part of the path.
   state_.views = state_.right = 0;
 }
 
@@ -130,9 +130,9 @@ double BumpNetwork::logDensityOfLookAlike() const {
   return -std::log(kTurn * std::max(sides.prod(), kMinArea));
 }
 
-/// Covariance of the bump's centre, propagated to another pattern by the Jacobian `carried`.
+/// Covariance of the bump's centre, propagated to another pattern by displacementJacobian().
 Eigen::Matrix3d BumpNetwork::propagatedTo(const FiringPattern& there, const Bump& bump) const {
-  const Eigen::Matrix3d J = carried(code_.difference(bump.centre, there).head<2>());
+  const Eigen::Matrix3d J = displacementJacobian(code_.difference(bump.centre, there).head<2>());
   return J * bump.covariance * J.transpose();
 }
 

@@ -100,9 +100,9 @@ class BumpNetwork {
  public:
   explicit BumpNetwork(const NetworkSettings& settings);
 
-  /// Path integration by one step. `claimed`: its covariance as odometry reports it, in the robot's
-  /// axes.
-  void integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed, const Climb& climb = {});
+  /// Path integration by one step, in the robot's axes. `reported`: its covariance, as odometry
+  /// reports it.
+  void integrate(const PlanarPose& step, const Eigen::Matrix3d& reported, const Climb& climb = {});
   /// From here on the pose relative to the earlier path is unknown (a kidnapped robot): a new part
   /// of the path begins. Patterns of different parts have no known displacement until a loop joins
   /// the parts.

@@ -31,9 +31,9 @@ Eigen::Vector3d ConjunctiveCode::difference(const FiringPattern& from,
 }
 
 PlanarPose ConjunctiveCode::between(const FiringPattern& from, const FiringPattern& to) const {
-  const Eigen::Vector3d way = difference(from, to);
-  const Eigen::Vector2d own = turned(way.x(), way.y(), -from.heading);
-  return {own.x(), own.y(), way.z()};
+  const Eigen::Vector3d displacement = difference(from, to);
+  const Eigen::Vector2d own = turned(displacement.x(), displacement.y(), -from.heading);
+  return {own.x(), own.y(), displacement.z()};
 }
 
 double ConjunctiveCode::climb(const FiringPattern& from, const FiringPattern& to) const {
@@ -43,7 +43,7 @@ double ConjunctiveCode::climb(const FiringPattern& from, const FiringPattern& to
 void ConjunctiveCode::move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise,
                            const Climb& climb) const {
   const double heading = bump.centre.heading;
-  const Eigen::Matrix3d J = carried(turned(step.x, step.y, heading));
+  const Eigen::Matrix3d J = displacementJacobian(turned(step.x, step.y, heading));
   bump.covariance = J * bump.covariance * J.transpose() + turned(noise, heading);
   bump.centre = displaced(bump.centre, step, climb.metres);
   bump.height_variance += climb.variance;
@@ -75,10 +75,10 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle) {
   return R * covariance * R.transpose();
 }
 
-Eigen::Matrix3d carried(const Eigen::Vector2d& way) {
+Eigen::Matrix3d displacementJacobian(const Eigen::Vector2d& displacement) {
   Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
-  J(0, 2) = -way.y();
-  J(1, 2) = way.x();
+  J(0, 2) = -displacement.y();
+  J(1, 2) = displacement.x();
   return J;
 }
 

@@ -70,9 +70,9 @@ class ConjunctiveCode {
 
 /// `covariance` of (x, y, heading) after a rotation by `angle`.
 Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle);
-/// Derivative of the pose (x, y, heading) after the displacement `way` (m) with respect to the pose
-/// before it.
-Eigen::Matrix3d carried(const Eigen::Vector2d& way);
+/// Derivative of the pose (x, y, heading) after a displacement (m, axes of heading 0) with respect
+/// to the pose before it.
+Eigen::Matrix3d displacementJacobian(const Eigen::Vector2d& displacement);
 /// d' S^-1 d, with the chord instead of the arc in heading, as in the von Mises distribution.
 double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance);
 

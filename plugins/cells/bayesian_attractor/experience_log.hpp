@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps at which experience the robot is and how far it has moved since, and decides whether a new
-// experience or a loop link is due.
+// Stores the current experience and the motion since, and decides whether a new experience or a
+// loop link is due.
 #pragma once
 
 #include <cstdint>

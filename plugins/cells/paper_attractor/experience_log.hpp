@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which experience the robot is at, how far it has come since, and whether a new experience or a
+// Stores the current experience and the motion since, and decides whether a new experience or a
 // loop link is due.
 #pragma once
 
@@ -31,7 +31,8 @@ class ExperienceLog {
   /// Not to the current experience, nor before the settings' distances of travel.
   bool allowsLoopTo(std::int64_t experience) const;
 
-  /// The robot was carried to an unknown place: loops to all experiences are allowed.
+  /// From here on the pose relative to the earlier path is unknown. Loops to all experiences so far
+  /// are allowed.
   void startPart();
 
   /// The robot is at the new experience. Returns its id.

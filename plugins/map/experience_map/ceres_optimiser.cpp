@@ -153,9 +153,9 @@ class CeresProblem {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       if (links_[k].robust) worst = std::max(worst, chi(k));
     }
-    constexpr double kEase = 1.4;  // factor of mu, as in the paper by Yang et al.
+    constexpr double kMuFactor = 1.4;  // as in the paper by Yang et al.
     std::vector<double> mus;
-    for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kEase) {
+    for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kMuFactor) {
       mus.push_back(mu);
     }
     return mus;

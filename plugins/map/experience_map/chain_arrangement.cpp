@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Relative poses of the parts of a path with gaps. Least squares refines an arrangement of the
-// parts, but it needs a start near the minimum: each loop between two parts proposes one, and the
-// arrangement with the least energy is kept.
+// parts, but needs a start near the minimum. Each loop between two parts determines one such start;
+// the arrangement with the least energy is kept.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,8 +12,7 @@ namespace tolman::experience_map {
 namespace {
 
 /// A loop with a smaller residual after two parts were aligned starts with full weight: its
-/// residual may come from drift within the parts, which is not yet corrected. Chosen,
-/// not tuned.
+/// residual may come from drift within the parts, which is not yet corrected. Chosen, not tuned.
 constexpr double kNearTranslation = 20;  // m
 constexpr double kNearRotation = 0.5;    // rad
 
@@ -34,7 +33,7 @@ typename G::Pose transform(const typename G::Pose& from, const typename G::Pose&
   return compose(to, between(from, G::identity()));
 }
 
-/// The motion of the later part after which `loop` has no residual.
+/// The motion of the later part, in world coordinates, after which `loop` has no residual.
 template <class G>
 typename G::Pose partShift(const PoseLink<G>& loop, const typename G::Pose& from,
                            const typename G::Pose& to, bool visit_is_later) {
@@ -93,8 +92,8 @@ Eigen::Isometry3d ExperienceChain::shiftOf(const DeadReckoning& path, std::size_
   return lifted(partShift(loop, poseAt(loop.from), poseAt(loop.to), visit_is_later));
 }
 
-/// Tries the relative poses that rejected loops between parts propose. Keeps the arrangement of
-/// least energy.
+/// Optimises once more for each rejected loop between two parts (at most `attempts`), starting with
+/// the later part moved so that this loop has no residual. Keeps the arrangement of least energy.
 template <class G>
 void ExperienceChain::rearrange(const PathParts& parts, const std::vector<typename G::Pose>& start,
                                 OptimiserOptions options, std::size_t attempts,
@@ -102,12 +101,12 @@ void ExperienceChain::rearrange(const PathParts& parts, const std::vector<typena
                                 ChainSystem<G>& system) const {
   if (parts.count() == 1) return;
   std::vector<PoseLink<G>>& links = best.links;
-  const std::vector<double> judged = weightsOf(links);
-  std::vector<double> kept = judged;
+  const std::vector<double> weights = weightsOf(links);
+  std::vector<double> kept = weights;
   for (std::size_t k = links.size(); k-- > anchors_.size() - 1 && attempts > 0;) {
     const std::size_t from = parts.of(links[k].from);
     const std::size_t to = parts.of(links[k].to);
-    if (from == to || judged[k] >= parameters_.min_loop_weight) continue;
+    if (from == to || weights[k] >= parameters_.min_loop_weight) continue;
     --attempts;
     std::vector<typename G::Pose> nodes = start;
     const typename G::Pose shift =

@@ -23,6 +23,7 @@ class ChainSystem {
  public:
   using Pose = typename G::Pose;
   using Step = StepOf<G>;
+  /// Called with the index and the derivatives of a link.
   using Visit = std::function<void(std::size_t, const LinkDerivatives<G>&)>;
   /// kColumns right-hand sides or solutions: a block of rows for each node.
   template <int kColumns>
@@ -40,8 +41,7 @@ class ChainSystem {
   void takeCovariances(const std::vector<PoseLink<G>>& links);
   /// Sets up the normal equations at `nodes`, with the weights of the links. `curvatures`, if not
   /// empty, has the curvature of the robust loss for each link: the information W of a link with
-  /// residual r becomes W - curvature * W r r' W. `visit` is called with each link's number and
-  /// derivatives.
+  /// residual r becomes W - curvature * W r r' W. `visit` is called for each link.
   void linearise(const std::vector<Pose>& nodes, const std::vector<PoseLink<G>>& links,
                  std::span<const double> curvatures = {}, const Visit& visit = {});
   /// Eliminates and factorises, with the diagonal multiplied by 1 + damping. False when the system

@@ -24,14 +24,14 @@ Status DeadReckoning::check(const Motion& motion) const {
 }
 
 void DeadReckoning::append(const Motion& motion, std::int64_t anchor) {
-  ReckonedFrame logged;
-  logged.frame = motion.frame;
-  logged.stamp_ns = motion.stamp_ns;
-  logged.anchor = anchor;
-  logged.initialising = motion.state == TrackingState::Initialising;
+  ReckonedFrame reckoned;
+  reckoned.frame = motion.frame;
+  reckoned.stamp_ns = motion.stamp_ns;
+  reckoned.anchor = anchor;
+  reckoned.initialising = motion.state == TrackingState::Initialising;
   UncertainPose moved;
   if (!frames_.empty()) {
-    logged.gap = logged.initialising && !frames_.back().initialising;
+    reckoned.gap = reckoned.initialising && !frames_.back().initialising;
     moved = {motion.T_previous_current, motion.covariance};
     planar_ = planar_ && isInPlane(moved.T);
     metric_ = metric_ && motion.scale_known;
@@ -39,9 +39,9 @@ void DeadReckoning::append(const Motion& motion, std::int64_t anchor) {
       moved.covariance +=
           isotropic(parameters_.lost_sigma_translation, parameters_.lost_sigma_rotation);
     }
-    logged.T_start_camera = normalised(frames_.back().T_start_camera * moved.T);
+    reckoned.T_start_camera = normalised(frames_.back().T_start_camera * moved.T);
   }
-  frames_.push_back(logged);
+  frames_.push_back(reckoned);
   motions_.append(moved);
 }
 

@@ -34,13 +34,14 @@ class Linearised {
     double least = energy_ + product(0, 0);
     double log_determinant = system_.logDeterminant();
     if (prior > 0) {
-      const Eigen::Vector3d pull = pull_ + product.block<kSteady, 1>(1, 0);
-      const Eigen::LDLT<Eigen::Matrix3d> factors(own_ + product.bottomRightCorner<3, 3>());
-      steady_ = -factors.solve(pull);
-      least += pull.dot(steady_);
+      const Eigen::Vector3d gradient = drift_gradient_ + product.block<kSteady, 1>(1, 0);
+      const Eigen::LDLT<Eigen::Matrix3d> factors(drift_information_ +
+                                                 product.bottomRightCorner<3, 3>());
+      steady_ = -factors.solve(gradient);
+      least += gradient.dot(steady_);
       log_determinant += factors.vectorD().array().log().sum();
     }
-    log_likelihood_ = -0.5 * (least + log_determinant - log_prior_);
+    log_likelihood_ = -0.5 * (least + log_determinant - log_information_);
     return std::isfinite(log_likelihood_);
   }
 
@@ -51,14 +52,14 @@ class Linearised {
   void linearise(const std::vector<SpatialLink>& links, const std::vector<double>& lengths,
                  double prior) {
     right_.assign(nodes_.size(), Right::Zero());
-    own_.setZero();
-    pull_.setZero();
+    drift_information_.setZero();
+    drift_gradient_.setZero();
     steady_.setZero();
     energy_ = 0;
-    log_prior_ = 0;
+    log_information_ = 0;
     if (prior > 0) {
-      own_ = Eigen::Vector3d::Constant(1 / (prior * prior)).asDiagonal();
-      log_prior_ = -2 * kSteady * std::log(prior);
+      drift_information_ = Eigen::Vector3d::Constant(1 / (prior * prior)).asDiagonal();
+      log_information_ = -2 * kSteady * std::log(prior);
     }
     system_.takeCovariances(links);
     system_.linearise(nodes_, links, {}, [&](std::size_t k, const LinkDerivatives<Space>& by) {
@@ -67,18 +68,18 @@ class Linearised {
     for (std::size_t k = 0; k < nodes_.size(); ++k) right_[k].col(0) = system_.gradient()[k];
   }
 
-  /// A steady drift b over the length l is a motion -l b of the link's end, which equals the motion
-  /// -Ad(link) l b of its beginning.
+  /// Adds link `k`. A steady drift b over the length l moves the link's end by -l b, which equals a
+  /// motion of its beginning by -Ad(link) l b.
   void add(const SpatialLink& link, std::size_t k, const LinkDerivatives<Space>& by,
            double length) {
     const Matrix6d information = link.weight * system_.information()[k];
     energy_ += by.residual.dot(information * by.residual);
     if (length <= 0) return;
-    log_prior_ += 6 * std::log(link.weight) + system_.logInformation()[k];
+    log_information_ += 6 * std::log(link.weight) + system_.logInformation()[k];
     const ByDrift by_drift = -length * by.by_from * adjointSe3(link.pose).leftCols<kSteady>();
     const ByDrift weighted = information * by_drift;
-    own_ += by_drift.transpose() * weighted;
-    pull_ += weighted.transpose() * by.residual;
+    drift_information_ += by_drift.transpose() * weighted;
+    drift_gradient_ += weighted.transpose() * by.residual;
     right_[link.from].rightCols<kSteady>() += by.by_from.transpose() * weighted;
     right_[link.to].rightCols<kSteady>() += by.by_to.transpose() * weighted;
   }
@@ -87,11 +88,12 @@ class Linearised {
   const std::vector<Eigen::Isometry3d>& nodes_;
   std::vector<Right> right_;  ///< g and the columns of C, of each node
   std::vector<Right> x_;
-  Eigen::Matrix3d own_;     ///< D
-  Eigen::Vector3d pull_;    ///< h
-  Eigen::Vector3d steady_;  ///< the most likely b
+  Eigen::Matrix3d drift_information_;  ///< D
+  Eigen::Vector3d drift_gradient_;     ///< h
+  Eigen::Vector3d steady_;             ///< the most likely b
   double energy_ = 0;
-  double log_prior_ = 0;  ///< logarithm of the determinants of the prior's information
+  /// Logarithm of the determinants of the information of odometry links and of the prior of b.
+  double log_information_ = 0;
   double log_likelihood_ = -std::numeric_limits<double>::infinity();
 };
 
@@ -102,8 +104,8 @@ SpatialLink withDrift(SpatialLink link, double length, double rotation, const Dr
   Vector6d steady = Vector6d::Zero();
   steady.head<kSteady>() = -length * drift.steady;
   link.pose = link.pose * expSe3(steady);
-  const double less = rotation * rotation - drift.rotation * drift.rotation;
-  link.covariance.diagonal().tail<3>().array() -= length * length * less;
+  const double excess = rotation * rotation - drift.rotation * drift.rotation;
+  link.covariance.diagonal().tail<3>().array() -= length * length * excess;
   return link;
 }
 
@@ -111,7 +113,9 @@ DriftModel learnDrift(const std::vector<Eigen::Isometry3d>& nodes,
                       const std::vector<SpatialLink>& links, const std::vector<double>& lengths,
                       const DriftPrior& prior, ChainSystem<Space>& system) {
   constexpr int kQuarters = 2;  // README.md: a quarter and a sixteenth are tried; chosen, not tuned
-  constexpr double kSpread = 2.3;  // of the prior's logarithm: a factor of ten; chosen, not tuned
+  // Standard deviation of the logarithm of the rotation drift under the prior: ln 10. Chosen, not
+  // tuned.
+  constexpr double kSpread = 2.3;
   DriftModel best;
   best.rotation = prior.rotation;
   double most = -std::numeric_limits<double>::infinity();

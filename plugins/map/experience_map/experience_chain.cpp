@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace tolman::experience_map {
+
 Anchor& ExperienceChain::append(const DeadReckoning& path) {
   const Anchor& before = anchors_.back();
   Anchor anchor;
@@ -40,9 +41,9 @@ void ExperienceChain::addVisit(const DeadReckoning& path, std::int64_t experienc
 void ExperienceChain::addVisit(const DeadReckoning& path, std::int64_t experience,
                                double relative_yaw) {
   // The unknown offsets of successive visits are correlated: for example, each match may come 2 m
-  // early. The factor keeps many such visits from outweighing good odometry if cells close a loop
-  // at every frame. No cells of this repository do so: with them 1 to 9 give the same results on
-  // all available drives.
+  // early. The variance grows with the number of successive visits, so that cells that close a loop
+  // at every frame do not outweigh good odometry. No cells of this repository do so: with them
+  // limits of 1 to 9 give the same results on all available drives.
   constexpr int kLongestRun = 3;
   int run = 1;
   for (std::size_t i = anchors_.size(); i-- > 0 && anchors_[i].assumed; ++run) {

@@ -83,6 +83,7 @@ class ExperienceChain {
 
   /// Recomputes odometry links whose motions have changed from slot `first` on.
   void refresh(const DeadReckoning& path, std::size_t first);
+  /// Whether the chain has a visit, i.e. a loop.
   bool visited() const { return last_visit_ > 0; }
   /// Whether loops or motions have changed since the last correction.
   bool pending() const { return pending_; }
@@ -96,7 +97,8 @@ class ExperienceChain {
   std::size_t slotOf(std::int64_t experience) const { return origin(experience).slot; }
   Eigen::Isometry3d T_world_camera(const DeadReckoning& path, std::size_t slot) const;
   Eigen::Isometry3d T_world_experience(const DeadReckoning& path, std::int64_t experience) const;
-  /// Pose of a frame relative to the experience of the last anchor whose loop is not rejected.
+  /// Pose of a frame relative to the experience of the last anchor up to it whose loop has at least
+  /// min_loop_weight.
   ExperiencePose experiencePose(const DeadReckoning& path, std::size_t slot) const;
   /// The graph of experiences alone: each visit is merged with its experience. A rejected loop
   /// keeps its link, but the odometry link after it starts at the anchor before the visit. Only

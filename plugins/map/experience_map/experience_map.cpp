@@ -76,7 +76,7 @@ Status ExperienceMap::check(const EarlierLoop& loop) const {
   const bool known = loop.experience >= 0 && loop.experience < chain_.experiences();
   const std::optional<std::size_t> slot = motions_.slotOf(loop.frame);
   if (known && (!slot || *slot > chain_.slotOf(loop.experience))) return Status::ok();
-  return Status::invalidInput("the decision tells a loop of frame " + std::to_string(loop.frame) +
+  return Status::invalidInput("the decision has a loop of frame " + std::to_string(loop.frame) +
                               " to experience " + std::to_string(loop.experience) +
                               ", which did not exist then");
 }
@@ -93,14 +93,14 @@ void ExperienceMap::insertEarlier(const std::vector<EarlierLoop>& loops) {
       ++unknown;
     }
   }
-  warnOfUnknown(unknown, "loops of frames");
+  warnOfUnknown(unknown, "loops");
 }
 
 void ExperienceMap::revise(const std::vector<MotionRevision>& revisions) {
   if (revisions.empty()) return;
   std::size_t unknown = 0;
   const std::size_t first = motions_.revise(revisions, unknown);
-  warnOfUnknown(unknown, "revisions of motions");
+  warnOfUnknown(unknown, "revisions");
   if (first == motions_.size()) return;
   chain_.refresh(motions_, first);
   ++version_;
@@ -108,7 +108,8 @@ void ExperienceMap::revise(const std::vector<MotionRevision>& revisions) {
 
 void ExperienceMap::warnOfUnknown(std::size_t count, const char* what) const {
   if (count == 0) return;
-  log_->warning("ignored " + std::to_string(count) + " " + what + " that the map has not seen");
+  log_->warning("ignored " + std::to_string(count) + " " + what +
+                " of frames that the map did not get");
 }
 
 void ExperienceMap::startPart() {
@@ -153,9 +154,9 @@ void ExperienceMap::noteCorrection(const Status& status) {
 }
 
 void ExperienceMap::report(MapUpdate& update) const {
-  const ReckonedFrame& logged = motions_[motions_.last()];
-  update.frame = logged.frame;
-  update.stamp_ns = logged.stamp_ns;
+  const ReckonedFrame& last = motions_[motions_.last()];
+  update.frame = last.frame;
+  update.stamp_ns = last.stamp_ns;
   update.T_world_camera = chain_.T_world_camera(motions_, motions_.last());
   const ExperiencePose place = chain_.experiencePose(motions_, motions_.last());
   update.experience = place.experience;

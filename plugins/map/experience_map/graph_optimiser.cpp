@@ -13,7 +13,7 @@
 namespace tolman::experience_map {
 namespace {
 
-/// With all weights above it, other starts are not tried. Chosen, not tuned.
+/// If all weights are above this, no other start is tried. Chosen, not tuned.
 constexpr double kAcceptedWeight = 0.5;
 
 void moveAll(const std::vector<PlanarPose>& start, const std::vector<Eigen::Vector3d>& step,
@@ -22,8 +22,8 @@ void moveAll(const std::vector<PlanarPose>& start, const std::vector<Eigen::Vect
 }
 
 /// Equal to moved() of each node to first order. Each node is composed from the moved node before
-/// it and the difference of their steps. So the links of the chain change by no more than these
-/// differences, also where a small turn moves the rest of a long path.
+/// it and the difference of their steps, so that each link of the chain changes by that difference
+/// only, even if a small rotation moves the rest of a long path.
 void moveAll(const std::vector<Eigen::Isometry3d>& start, const std::vector<Vector6d>& step,
              std::vector<Eigen::Isometry3d>& nodes) {
   nodes[0] = moved(start[0], step[0]);
@@ -45,20 +45,20 @@ class GaussNewton {
       : options_(options), nodes_(nodes), links_(links), system_(system) {
     system_.build(nodes.size(), links);
     chi_square_.resize(links.size());
-    bends_.resize(links.size());
-    measure();
+    curvatures_.resize(links.size());
+    computeResiduals();
   }
 
   /// Graduated non-convexity: mu decreases from a convex loss to 1, the Geman-McClure loss itself.
   Result<bool> anneal() {
     for (PoseLink<G>& link : links_) link.weight = 1;
-    if (Status rough = descendRoughly(); !rough.isOk()) return rough;
+    if (Status status = descendApproximately(); !status.isOk()) return status;
     double worst = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) {
       if (links_[k].robust) worst = std::max(worst, chi_square_[k]);
     }
-    constexpr double kEase = 1.4;  // factor of mu, as in the paper by Yang et al.
-    for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kEase) {
+    constexpr double kMuFactor = 1.4;  // as in the paper by Yang et al.
+    for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kMuFactor) {
       reweigh(mu);
       if (Status taken = step(); !taken.isOk()) return taken;
     }
@@ -102,21 +102,21 @@ class GaussNewton {
 
  private:
   /// Approximate least squares over all links: the start of graduated non-convexity.
-  Status descendRoughly() {
-    constexpr int kSteps = 20;      // chosen, not tuned: this is only the start
-    constexpr double kRest = 0.01;  // relative decrease that ends it; chosen, not tuned
+  Status descendApproximately() {
+    constexpr int kSteps = 20;             // chosen, not tuned: this is only the start
+    constexpr double kMinDecrease = 0.01;  // relative; a smaller one ends it; chosen, not tuned
     double before = leastSquares();
     for (int i = 0; i < kSteps; ++i) {
       if (Status taken = step(); !taken.isOk()) return taken;
       const double after = leastSquares();
-      if (before - after <= kRest * before) break;
+      if (before - after <= kMinDecrease * before) break;
       before = after;
     }
     return Status::ok();
   }
 
   /// Squared residuals of all links at the present nodes.
-  void measure() {
+  void computeResiduals() {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       const PoseLink<G>& link = links_[k];
       const StepOf<G> error = residualOf(link, nodes_[link.from], nodes_[link.to]);
@@ -124,12 +124,15 @@ class GaussNewton {
     }
   }
 
-  bool cannotReachBound(int iteration, double gain, double energy) const {
-    constexpr int kPatience = 10;  // iterations until the rate counts; chosen, not tuned
+  /// Whether the energy will stay above its bound if each further iteration lowers it by
+  /// `decrease`.
+  bool cannotReachBound(int iteration, double decrease, double energy) const {
+    constexpr int kFirst = 10;  // iterations before the rate is representative; chosen, not tuned
     const int left = options_.iterations - iteration - 1;
-    return iteration >= kPatience && energy - left * gain > options_.energy_bound;
+    return iteration >= kFirst && energy - left * decrease > options_.energy_bound;
   }
 
+  /// Sets the weights (and curvatures) of the robust loss at the present residuals.
   void reweigh(double mu) {
     const double delta = options_.delta;
     for (std::size_t k = 0; k < links_.size(); ++k) {
@@ -141,15 +144,15 @@ class GaussNewton {
         const double bound = mu * delta * delta;
         const double root = bound / (bound + chi);
         links_[k].weight = root * root;
-        bends_[k] = bendOf(chi, bound);
+        curvatures_[k] = curvatureOf(chi, bound);
       }
     }
   }
 
-  /// -2 rho'' / rho' of the Geman-McClure loss, which makes the steps Newton's. It is limited so
-  /// that at least half of the curvature of the least squares remains: then a step that lowers the
-  /// energy lowers the least squares too.
-  static double bendOf(double chi, double bound) {
+  /// -2 rho'' / rho' of the Geman-McClure loss as a function of the squared residual `chi`: with it
+  /// the steps are Newton steps. It is limited to 0.5 / chi, so that along the residual at least
+  /// half of the curvature of the weighted least squares remains, and the step decreases those too.
+  static double curvatureOf(double chi, double bound) {
     return std::min(4 / (bound + chi), 0.5 / std::max(chi, 1e-300));
   }
 
@@ -166,19 +169,19 @@ class GaussNewton {
     constexpr double kMaxDamping = 1e8;   // beyond it the step is below rounding; chosen, not tuned
     start_ = nodes_;
     const double before = leastSquares();
-    system_.linearise(nodes_, links_, bends_);
+    system_.linearise(nodes_, links_, curvatures_);
     for (double damping = damping_; damping < kMaxDamping;
          damping = std::max(kMinDamping, 10 * damping)) {
       if (!system_.solve(damping, step_)) continue;
       moveAll(start_, step_, nodes_);
-      measure();
+      computeResiduals();
       if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
         damping_ = damping > kMinDamping ? 0.1 * damping : 0;
         return Status::ok();
       }
     }
     nodes_ = start_;  // at a minimum, up to rounding
-    measure();
+    computeResiduals();
     if (before == 0 || system_.solve(0, step_)) return Status::ok();
     return Status::failed("the normal equations of the map are singular");
   }
@@ -188,7 +191,7 @@ class GaussNewton {
   PoseLinks& links_;
   ChainSystem<G>& system_;
   std::vector<double> chi_square_;  ///< of each link
-  std::vector<double> bends_;       ///< of each link, see ChainSystem
+  std::vector<double> curvatures_;  ///< of each link, see ChainSystem::linearise()
   std::vector<Pose> start_;         ///< the nodes before a step
   std::vector<StepOf<G>> step_;
   double damping_ = 0;
@@ -223,7 +226,7 @@ Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
   const Poses start = nodes;
   const Weights initial = weightsOf(links);
   Result<OptimiserOutcome> best = optimise<G>(options, nodes, links, system);
-  if (options.loss == Loss::Huber) return best;  // convex: no other starts are needed
+  if (options.loss == Loss::Huber) return best;
   const bool all_accepted = std::ranges::all_of(
       links, [](const PoseLink<G>& link) { return link.weight > kAcceptedWeight; });
   if (best.isOk() && best.value().converged && all_accepted) return best;

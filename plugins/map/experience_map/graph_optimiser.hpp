@@ -2,7 +2,7 @@
 // Minimises the energy of the paper's section "Cognitive Map" over poses e_i, in the plane or in
 // space,
 //
-//   min over e of 1/2 sum_k rho(|f_k|^2),    f_k: residual of link k in standard deviations,
+//   min over e of 1/2 sum_k rho(|f_k|),    f_k: residual of link k in standard deviations,
 //
 // with a robust loss rho, by iteratively reweighted Gauss-Newton steps. With the Geman-McClure loss
 // they include a part of the curvature of rho.
@@ -23,7 +23,7 @@
 
 namespace tolman::experience_map {
 
-/// Initial weight of a loop that is left out of the start. Chosen, not tuned.
+/// Initial weight of a loop that shall not influence the first step. Chosen, not tuned.
 inline constexpr double kRejectedWeight = 1e-6;
 
 /// rho as a function of r, the length of a residual in standard deviations.
@@ -65,9 +65,10 @@ Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
                                   std::vector<typename G::Pose>& nodes,
                                   std::vector<PoseLink<G>>& links, ChainSystem<G>& system);
 
-/// A redescending loss has many minima. Optimises from `nodes` as given; where that does not
-/// converge or gives a loop a weight of 0.5 or less, also by graduated non-convexity and from dead
-/// reckoning without loops, and takes the best of the three. Huber's loss is convex: one start.
+/// A redescending loss has many local minima. Optimises from `nodes` as given; if that does not
+/// converge, or gives a loop a weight of 0.5 or less, also by graduated non-convexity and from dead
+/// reckoning without loops, and keeps the result of least energy. With Huber's loss, which is
+/// convex, only from `nodes`.
 template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             const std::vector<typename G::Pose>& reckoned,

@@ -45,7 +45,8 @@ struct Parameters {
         parameter("optimise", &P::optimise).doc("Correct the map when loops close."),
         parameter("space", &P::space)
             .doc("plane: position and heading are corrected in the plane of the first camera, "
-                 "height, pitch and roll stay odometry's. space: all six. auto: space as soon as a "
+                 "height, pitch and roll remain those of odometry. space: all six. auto: space as "
+                 "soon as a "
                  "loop with a measured pose is closed, unless all motions lie in the plane or "
                  "their scale is not known."),
         parameter("online_iterations", &P::online_iterations)

@@ -9,6 +9,7 @@
 
 #include "feature_guess.hpp"
 #include "lost_motion.hpp"
+#include "odometry_input.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -98,34 +99,14 @@ Status DirectSparse::reset() {
 }
 
 Status DirectSparse::checkRig() const {
-  if (!rig_.calibrated || (cameras_ == Cameras::Stereo && !rig_.isStereo())) {
-    return Status::unsupported(std::string("the cameras are ") +
-                               (rig_.calibrated ? "not a stereo pair" : "not calibrated") +
-                               "; use an odometry plugin for such cameras, or a source of "
-                               "calibrated, rectified stereo images");
+  if (Status status = requireCalibrated(rig_, cameras_ == Cameras::Stereo); !status.isOk()) {
+    return status;
   }
   constexpr int kSmallest = 48;  // px; chosen, not tuned
   if (std::min(rig_.width, rig_.height) >= kSmallest) return Status::ok();
   return Status::unsupported("images of " + std::to_string(rig_.width) + "x" +
                              std::to_string(rig_.height) + " pixels are too small; give at least " +
                              std::to_string(kSmallest) + " pixels each way");
-}
-
-Status DirectSparse::checkFrame(const Frame& frame) const {
-  const bool needs_right = cameras_ == Cameras::Stereo && frame.defect.empty();
-  if (!frame.left.empty() && frame.right.empty() && needs_right) {
-    return Status::unsupported(
-        "the frame has no right image; use a monocular odometry plugin, or a stereo source");
-  }
-  for (const Image* image : {&frame.left, &frame.right}) {
-    if (image->empty() || (image->width() == rig_.width && image->height() == rig_.height))
-      continue;
-    return Status::invalidInput("the image has " + std::to_string(image->width()) + "x" +
-                                std::to_string(image->height()) + " pixels, its calibration " +
-                                std::to_string(rig_.width) + "x" + std::to_string(rig_.height) +
-                                "; give images as they were calibrated");
-  }
-  return Status::ok();
 }
 
 bool DirectSparse::buildLeft(const Frame& frame) {
@@ -146,7 +127,8 @@ void DirectSparse::buildRight(const Frame& frame) {
 }
 
 Status DirectSparse::track(const Frame& frame, Motion& motion) {
-  if (Status status = checkFrame(frame); !status.isOk()) return status;
+  Status status = requireImages(frame, rig_, cameras_ == Cameras::Stereo);
+  if (!status.isOk()) return status;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
   motion.scale_known = cameras_ == Cameras::Stereo;

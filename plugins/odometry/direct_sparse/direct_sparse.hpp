@@ -31,7 +31,6 @@ class DirectSparse : public Odometry {
 
  private:
   Status checkRig() const;
-  Status checkFrame(const Frame& frame) const;
   /// Builds current_; false when the image is missing or has no contrast.
   bool buildLeft(const Frame& frame);
 

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "lost_motion.hpp"
+#include "odometry_input.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::feature_stereo {
@@ -39,7 +40,7 @@ Status FeatureStereo::configure(const Context& context) {
                                     std::to_string(parameters_.track_window + 1));
   }
   rig_ = context.rig;
-  if (Status status = checkRig(); !status.isOk()) return status;
+  if (Status status = requireCalibrated(rig_, true); !status.isOk()) return status;
   log_ = &context.log;
   seed_ = context.seed;
   useSettings();
@@ -73,32 +74,8 @@ Status FeatureStereo::reset() {
   return Status::ok();
 }
 
-Status FeatureStereo::checkRig() const {
-  if (rig_.calibrated && rig_.isStereo()) return Status::ok();
-  return Status::unsupported(std::string("the cameras are ") +
-                             (rig_.calibrated ? "not a stereo pair" : "not calibrated") +
-                             "; use an odometry plugin for such cameras, or a source of "
-                             "calibrated, rectified stereo images");
-}
-
-Status FeatureStereo::checkFrame(const Frame& frame) const {
-  if (!frame.left.empty() && frame.right.empty() && frame.defect.empty()) {
-    return Status::unsupported(
-        "the frame has no right image; use a monocular odometry plugin, or a stereo source");
-  }
-  for (const Image* image : {&frame.left, &frame.right}) {
-    if (image->empty() || (image->width() == rig_.width && image->height() == rig_.height))
-      continue;
-    return Status::invalidInput("the image has " + std::to_string(image->width()) + "x" +
-                                std::to_string(image->height()) + " pixels, its calibration " +
-                                std::to_string(rig_.width) + "x" + std::to_string(rig_.height) +
-                                "; give images as they were calibrated");
-  }
-  return Status::ok();
-}
-
 Status FeatureStereo::track(const Frame& frame, Motion& motion) {
-  if (Status status = checkFrame(frame); !status.isOk()) return status;
+  if (Status status = requireImages(frame, rig_, true); !status.isOk()) return status;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
   motion.dt = last_stamp_ns_ < 0 ? 0 : 1e-9 * double(frame.stamp_ns - last_stamp_ns_);
@@ -129,13 +106,17 @@ void FeatureStereo::answer(const StereoPyramids* images, Motion& motion) {
   if (images != nullptr) restart(*images, motion);
   if (!started) {
     motion.state = TrackingState::Initialising;
-    if (motion.dt > 0) motion.covariance = predictionCovariance(motion.T_previous_current, 100);
+    // No motion was measured yet: as uncertain as after 100 lost frames. Chosen, not tuned.
+    constexpr int kUnknownFrames = 100;
+    if (motion.dt > 0) {
+      motion.covariance = predictionCovariance(motion.T_previous_current, kUnknownFrames);
+    }
   }
 }
 
 Status FeatureStereo::finish(std::vector<MotionRevision>& revisions) {
-  std::vector<MotionRevision> owed = history_.finish();
-  revisions.insert(revisions.end(), owed.begin(), owed.end());
+  const std::vector<MotionRevision> last = history_.finish();
+  revisions.insert(revisions.end(), last.begin(), last.end());
   return Status::ok();
 }
 
@@ -152,8 +133,8 @@ Eigen::Isometry3d FeatureStereo::remember(const Eigen::Isometry3d& T_world_camer
 std::optional<FeatureStereo::Tracked> FeatureStereo::trackAny(const StereoPyramids& images,
                                                               const Eigen::Isometry3d& predicted) {
   std::optional<Tracked> best = trackFrom(images, predicted);
-  if (best && 2 * best->tracks.size() >= best->offered) return best;
-  // The velocity has changed: the camera may have stopped or turned round.
+  if (best && 2 * best->tracks.size() >= best->attempted) return best;
+  // Fewer than half were found: the camera may have stopped or reversed.
   std::optional<Tracked> still = trackFrom(images, T_world_reference_);
   const bool better = still && (!best || still->tracks.size() > best->tracks.size());
   return better ? still : best;
@@ -323,14 +304,14 @@ void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
 }
 
 void FeatureStereo::publishPoints(Motion& motion) {
-  constexpr double kFarthest = 1e-4;  // 1/m; leaves out points at infinity
+  constexpr double kMinInverseDepth = 1e-4;  // 1/m; leaves out points at infinity
   const double fb = rig_.pinhole.fx * rig_.baseline;
   std::vector<Eigen::Vector4f> points;
   for (const Track& track : tracks_) {
     const Landmark& landmark = *window_.find(track.landmark);
     ProjectionJacobians J;
     const auto pixel = project(rig_, window_.keyframes().back().T_world_camera, landmark.point, &J);
-    if (!pixel || pixel->z() < kFarthest * fb) continue;
+    if (!pixel || pixel->z() < kMinInverseDepth * fb) continue;
     const Eigen::RowVector3d by_point = J.point.row(2) / fb;
     const double variance = by_point * landmark.covariance * by_point.transpose();
     points.push_back(

@@ -50,11 +50,9 @@ class FeatureStereo final : public Odometry {
   struct Tracked {
     PoseEstimate pose;
     std::vector<Track> tracks;  ///< tracks that agree with the pose
-    std::size_t offered = 0;    ///< number of tracks that were searched for
+    std::size_t attempted = 0;  ///< number of tracks that were searched for
   };
 
-  Status checkRig() const;
-  Status checkFrame(const Frame& frame) const;
   void useSettings();
   /// Pose under constant velocity.
   Eigen::Isometry3d predictPose(double dt) const;
@@ -80,13 +78,13 @@ class FeatureStereo final : public Odometry {
   Eigen::Isometry3d remember(const Eigen::Isometry3d& T_world_camera, const Keyframe& keyframe,
                              const Motion& motion);
 
-  /// `images`: null when they show nothing.
+  /// `images`: null when one of them is missing or has no contrast.
   void answer(const StereoPyramids* images, Motion& motion);
   void answerMeasured(const StereoPyramids& images, Tracked&& tracked, Motion& motion);
   void answerPredicted(Motion& motion);
   /// Starts a new window at the predicted pose.
   void restart(const StereoPyramids& images, Motion& motion);
-  /// The current left image becomes that which the next frame is tracked from.
+  /// Makes the current left image the reference of the next frame.
   void keepImage(const Eigen::Isometry3d& T_world_camera);
 
   Parameters parameters_;
@@ -111,7 +109,7 @@ class FeatureStereo final : public Odometry {
   std::int64_t last_stamp_ns_ = -1;       ///< -1 before the first frame
   std::int64_t first_lost_ = -1;          ///< frame index; -1 while tracking
   int lost_frames_ = 0;
-  double lost_s_ = 0;                ///< s, duration of the predicted motions since then
+  double lost_s_ = 0;                ///< s, duration of the predicted motions since first_lost_
   std::size_t keyframe_tracks_ = 0;  ///< number of tracks at the last keyframe
 };
 

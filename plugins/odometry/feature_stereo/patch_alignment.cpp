@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patches in 16-bit integers: exact, hence the same on every processor.
+// Patches in 16-bit integers, so that results are the same on every processor.
 #include "patch_alignment.hpp"
 
 #include <algorithm>
@@ -184,7 +184,8 @@ bool Patch::take(const PaddedImage& image, const cv::Point2f& centre) {
   const auto xy = static_cast<double>(across.second);
   const auto yy = static_cast<double>(down.second);
   const double smaller = 0.5 * (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy));
-  // Squared grey levels per px, of the mean pixel; chosen, not tuned.
+  // Smaller eigenvalue of the structure tensor, mean over the pixels, (grey levels / px)^2. Chosen,
+  // not tuned.
   constexpr double kWeakest = 0.1;
   if (smaller < kWeakest * kGrayOne * kGrayOne * side_ * side_) return false;
   const double determinant = xx * yy - xy * xy;
@@ -195,10 +196,10 @@ bool Patch::take(const PaddedImage& image, const cv::Point2f& centre) {
 }
 
 bool Patch::align(const PaddedImage& image, cv::Point2f& centre, float tolerance) {
-  constexpr int kMostSteps = 30;  // chosen, not tuned; about three are usual
+  constexpr int kMaxSteps = 30;  // chosen, not tuned; about three are usual
   const auto radius = static_cast<float>(side_ / 2);
   cv::Point2f last(0, 0);
-  for (int k = 0; k < kMostSteps; ++k) {
+  for (int k = 0; k < kMaxSteps; ++k) {
     if (!isReadable(image, centre)) return false;
     interpolateAt(image, centre - cv::Point2f(radius, radius), side_, columns_, buffer_.data());
     TwoSums sums;
@@ -211,7 +212,7 @@ bool Patch::align(const PaddedImage& image, cv::Point2f& centre, float tolerance
     centre -= step;
     if (step.dot(step) <= tolerance * tolerance) break;
     const cv::Point2f swing = step + last;
-    if (k > 0 && swing.dot(swing) <= tolerance * tolerance) {  // to and fro: the middle
+    if (k > 0 && swing.dot(swing) <= tolerance * tolerance) {  // oscillates: the middle of the two
       centre += 0.5F * step;
       break;
     }

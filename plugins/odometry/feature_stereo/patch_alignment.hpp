@@ -11,7 +11,7 @@
 
 namespace tolman::feature_stereo {
 
-/// Grey levels are multiplied by this.
+/// Fixed-point unit of a grey level.
 constexpr int kGrayOne = 8;
 
 /// The grey levels of `rows` rows of `columns` (a multiple of kLanes) pixels at a fraction of a
@@ -24,7 +24,7 @@ class Patch {
  public:
   explicit Patch(int side);
 
-  /// Takes the surroundings of `centre`; false where they have no texture.
+  /// Copies the pixels around `centre`; false if they have no texture or lie outside the image.
   bool take(const PaddedImage& image, const cv::Point2f& centre);
   /// Moves `centre` to where the patch is seen, until a step is shorter than `tolerance`, px; false
   /// if it leaves the image.
@@ -33,8 +33,8 @@ class Patch {
  private:
   int side_;
   int columns_;                     ///< side_ in lanes; the derivatives beyond side_ are 0
-  std::vector<std::int16_t> gray_;  ///< kGrayOne
-  std::vector<std::int16_t> by_x_;  ///< kGrayOne for a grey level per px
+  std::vector<std::int16_t> gray_;  ///< in 1 / kGrayOne grey levels
+  std::vector<std::int16_t> by_x_;  ///< in 1 / kGrayOne grey levels per px
   std::vector<std::int16_t> by_y_;
   std::vector<std::int16_t> buffer_;
   std::vector<std::int16_t> sums_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// RANSAC over P3P (with our own random stream) and robust Gauss-Newton steps.
+// RANSAC over OpenCV's P3P, with samples from the plugin's random stream, and robust Gauss-Newton
+// steps.
 #include "pnp.hpp"
 
 #include <Eigen/Cholesky>
@@ -71,7 +72,8 @@ std::vector<Eigen::Isometry3d> solveThree(const CameraRig& rig,
   return poses;
 }
 
-/// RANSAC samples needed for one without outlier, with 99.9 % confidence.
+/// Number of RANSAC samples of which, with 99.9 % confidence, one has no outlier. The share of
+/// inliers is estimated from the truncated cost.
 double samplesNeeded(double cost, std::size_t count) {
   // 0.01 and 1e-9 keep the logarithms finite.
   const double inliers = std::max(0.01, 1 - cost / (kGate * double(count)));
@@ -128,7 +130,8 @@ std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
     squares += squared;
   }
   if (estimate.inliers < settings.min_inliers) return std::nullopt;
-  const double misfit = squares / (3.0 * estimate.inliers - 6);  // 1 when the sigmas are right
+  // About 1 if the sigmas are right, and less for matches without a disparity.
+  const double misfit = squares / (3.0 * estimate.inliers - 6);
   estimate.covariance = std::max(1.0, misfit) * information.inverse();
   return estimate;
 }

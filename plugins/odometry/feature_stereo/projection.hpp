@@ -17,7 +17,8 @@ namespace tolman::feature_stereo {
 /// independent, those of (u_left, v, u_right) are not.
 using StereoPixel = Eigen::Vector3d;
 
-/// Square of the largest error of an inlier, in sigmas: chi square, 3 degrees of freedom, 99 %.
+/// Largest squared error of an inlier, in variances: 99 % quantile of chi-square with 3 degrees of
+/// freedom.
 inline constexpr double kGate = 11.34;
 
 /// Accuracy of a StereoPixel. The appearance of near points changes more between images than that
@@ -38,7 +39,7 @@ struct PixelNoise {
 
 /// A landmark. `coordinates` are (x/z, y/z, 1/z) in a fixed reference camera. They are not singular
 /// at infinity, so far points need no special treatment. The error of the inverse depth is
-/// symmetric and does not bias the motion, as that of the depth would.
+/// symmetric and does not bias the motion; that of the depth would.
 struct InverseDepthPoint {
   Eigen::Isometry3d T_world_reference = Eigen::Isometry3d::Identity();
   Eigen::Vector3d coordinates = Eigen::Vector3d::Zero();
@@ -46,8 +47,8 @@ struct InverseDepthPoint {
 
 /// Derivatives of a StereoPixel.
 struct ProjectionJacobians {
-  Eigen::Matrix<double, 3, 6> pose;  ///< by noise in T_world_camera * expSe3(noise)
-  Eigen::Matrix3d point;             ///< by the point's coordinates
+  Eigen::Matrix<double, 3, 6> pose;  ///< with respect to d in T_world_camera * expSe3(d)
+  Eigen::Matrix3d point;             ///< with respect to the point's coordinates
 };
 
 /// The point's position in the camera times its inverse depth in the reference.

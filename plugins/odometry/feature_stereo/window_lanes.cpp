@@ -9,7 +9,7 @@ namespace tolman::feature_stereo {
 namespace {
 
 constexpr double kHuber = 2.0;     // sigmas; chosen, not tuned
-constexpr double kBehind = 1e4;    // cost of a point behind a camera: no step may lead there
+constexpr double kBehind = 1e4;    // cost of a point behind a camera, so that no step leads there
 constexpr double kRegular = 1e-6;  // makes lanes without a landmark invertible
 using WindowGroup = WindowLanes::Group;
 using WindowObservations = WindowLanes::Observations;
@@ -119,14 +119,14 @@ TOLMAN_INLINE void scaleRows(const Four3& weights, Rows& J) {
   }
 }
 
-/// Subtracts what the points of a group, once eliminated, take from the poses and the offset.
+/// Eliminates the points of a group from the system of poses and offset (Schur complement).
 TOLMAN_INLINE void eliminate(const WindowGroup& group, const WindowObservations* seen,
                              std::size_t poses, WindowLanes::Sums& sums) {
   const Four3 by_offset = product(group.inverse, group.by_offset);
   sums.offset_information -= dot(by_offset, group.by_offset);
   sums.offset_gradient -= dot(by_offset, group.gradient);
-  const std::size_t held = group.first == 0 ? 1 : 0;  // the first pose has no part
-  for (std::size_t a = group.first + held; a < group.end; ++a) {
+  const std::size_t fixed = group.first == 0 ? 1 : 0;  // the first pose is not in the system
+  for (std::size_t a = group.first + fixed; a < group.end; ++a) {
     const std::array<Four3, 6>& coupling = seen[a - group.first].coupling;
     std::array<Four3, 6> solved;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -204,7 +204,7 @@ void moveGroups(const double* steps, std::size_t poses, std::vector<WindowGroup>
   }
 }
 
-/// What one observation of four points tells of them.
+/// Of one observation of four points: whether it fits, and its information on their coordinates.
 struct alignas(32) LaneFit {
   FourMask fits;
   Four6 information;

@@ -11,13 +11,13 @@
 
 namespace tolman::feature_stereo {
 
-/// What the problem is solved for, besides the landmarks.
+/// The unknowns of the problem, besides the landmarks.
 struct WindowState {
-  std::vector<Eigen::Isometry3d> poses;  ///< T_world_camera, oldest first; the first is held
-  double offset = 0;                     ///< of the disparities
+  std::vector<Eigen::Isometry3d> poses;  ///< T_world_camera, oldest first; the first is fixed
+  double offset = 0;                     ///< px, of all disparities
 };
 
-/// Normal equations of the poses but the first, six numbers each, and of the offset.
+/// Normal equations of all poses except the first (six rows each), then of the offset.
 struct WindowSystem {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
@@ -29,25 +29,24 @@ class WindowLanes {
   WindowLanes(const CameraRig& rig, const PixelNoise& noise, const Window& window,
               const std::vector<Landmark*>& landmarks);
 
-  /// Sum of robust squares (Huber) with the landmarks as they are.
+  /// Sum of Huber's loss over all observations, with the present landmarks.
   double cost(const WindowState& state);
-  /// The same, and the system. `damping`: relative increase of the diagonal of landmarks.
+  /// Also computes the system. `damping`: relative increase of the diagonal of landmarks.
   double linearise(const WindowState& state, double damping, WindowSystem& system);
-  /// Moves the landmarks by the step that belongs to this one of poses and offset, of the system of
-  /// the last linearise().
+  /// Moves the landmarks by back-substitution of `step`, a step of poses and offset that solves the
+  /// system of the last linearise().
   void move(const Eigen::VectorXd& step);
   /// Undoes move().
   void moveBack();
 
   /// Coordinates of a landmark, in the order they were given.
   Eigen::Vector3d coordinatesOf(std::size_t landmark) const;
-  /// Which keyframes' observations of a landmark fit: one bit for each, 0 where there is none. And
-  /// the information on its coordinates of those that do.
+  /// The observations of a landmark that fit.
   struct Fit {
-    std::uint32_t keyframes = 0;
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    std::uint32_t keyframes = 0;  ///< one bit for each keyframe whose observation fits
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of these, on its coordinates
   };
-  /// `gate`: squared error in standard deviations.
+  /// Of each landmark, the observations whose squared error, in variances, is at most `gate`.
   std::vector<Fit> fits(const WindowState& state, double gate);
 
   /// Four observations by one keyframe.
@@ -62,11 +61,11 @@ class WindowLanes {
     Four3 coordinates = {};
     Four3 before = {};  ///< coordinates before move()
     Four6 inverse;      ///< of the information on the points, since linearise()
-    Four3 gradient;
-    Four3 by_offset;
+    Four3 gradient;     ///< with respect to the points, likewise
+    Four3 by_offset;    ///< coupling of the points and the offset, likewise
     std::size_t first = 0;
     std::size_t end = 0;
-    std::size_t start = 0;  ///< of its observations
+    std::size_t start = 0;  ///< index of its first observation
   };
   /// Sums over all groups. Pairs of poses are those of the upper triangle, row by row.
   struct alignas(32) Sums {

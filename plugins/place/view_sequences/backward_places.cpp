@@ -15,8 +15,8 @@ constexpr std::size_t kYaws = 5;
 
 double yawOf(double index) { return 0.08 * (index - (kYaws - 1) / 2.0); }  // rad
 
-// Least probability of a measured place. Less probable places are measured too, because an answer
-// must agree with an earlier measurement. Chosen, not tuned.
+// Least probability of a place whose pose is measured. It is below that of an answer, because an
+// answer must agree with an earlier measurement. Chosen, not tuned.
 constexpr double kMeasuredFrom = 0.5;
 // Least correlation of the structure of the same street: 97 of 100 right places reach it.
 // Chosen on district (docs/places.md).

@@ -11,12 +11,12 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Grids contain points from 30 m back to 12 m ahead, so grids with less path in between share
-// points. Chosen, not tuned: 2 m may be shared.
+// A grid contains the points that were seen on the last 30 m of path (street_points.hpp), so grids
+// with less path between them share measurements. The rest is a margin. Chosen, not tuned.
 constexpr double kSharedPath = 40;  // m
 // Fewest compared grids from which the usual distance is estimated. Chosen, not tuned.
 constexpr std::int64_t kMinGrids = 10;
-// z of a view that is not compared; so large that its cost is above 0.
+// z of a view that is not compared: large enough for a cost above 0, which counts as 0.
 constexpr float kNotCompared = 5;
 
 SearchSettings backwards(SearchSettings settings) {

@@ -18,8 +18,8 @@ class BackwardSearch {
  public:
   explicit BackwardSearch(const SearchSettings& settings);
 
-  /// Adds a view; its number is that of earlier views. `levels`: its structure, if any. A view
-  /// shares the grid of the view before it on the path, unless that one shares a grid itself.
+  /// Adds a view; its index is the number of earlier views. `levels`: its structure, if any. Two
+  /// successive views of the path share one grid, that of the first.
   void add(const std::optional<StructureLevels>& levels, double path, std::int64_t predecessor);
   void join(std::int64_t from, std::int64_t to) { cost_.join(from, to); }
   void beginPass();

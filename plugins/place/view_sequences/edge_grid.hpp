@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Appearance of a view: strength of edges in six directions over a grid of 13 x 8 cells, each
 // normalised by its neighbourhood (histograms of oriented gradients, Dalal and Triggs, CVPR 2005;
-// square root by Arandjelovic and Zisserman, CVPR 2012). It depends little on light.
+// square root by Arandjelovic and Zisserman, CVPR 2012). It depends little on illumination.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mean of the views of this pass so far: the effect of lens, light and season on all of them.
+// Running mean of about the last hundred views: what lens, light and season have in common in all
+// of them.
 #pragma once
 
 #include <algorithm>

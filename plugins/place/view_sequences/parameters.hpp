@@ -20,7 +20,7 @@ struct Parameters {
   int landmark_spacing = 4;
   double probability_verified = 0.01;  // town 06, 07
   bool backwards = false;
-  double probability_backwards = 0.999;  // one false claim on 00 has 0.9989
+  double probability_backwards = 0.999;  // town 00: one false place has 0.9989
 
   static constexpr auto declaration() {
     using P = Parameters;
@@ -68,8 +68,7 @@ struct Parameters {
                  "most."),
         parameter("backwards", &P::backwards)
             .doc("Also recognise streets that are driven in the opposite direction, by the "
-                 "structure "
-                 "that a stereo pair measures."),
+                 "structure that a stereo pair measures."),
         parameter("probability_backwards", &P::probability_backwards)
             .range(0.01, 0.999999)
             .doc("Smallest probability of a familiar place that is driven in the opposite "

@@ -15,7 +15,7 @@ namespace tolman::view_sequences {
 namespace {
 
 // Fewest compared views from which the usual distance is estimated. Chosen, not tuned.
-constexpr std::int64_t kMin = 4;
+constexpr std::int64_t kMinCompared = 4;
 // Number of the best views by codes that are then compared in full, and size of the sample of views
 // for the usual distance. Chosen, not tuned; they bound the time.
 constexpr std::size_t kShortList = 50;
@@ -97,7 +97,7 @@ std::int64_t PlaceSearch::viewsUntil(double path) const {
 void PlaceSearch::compareAll(const ViewQuery& query) {
   const std::int64_t views = bank_.size();
   const std::int64_t by_code = coded();
-  const std::int64_t compared = std::min(views, std::max(candidates_, kMin));
+  const std::int64_t compared = std::min(views, std::max(candidates_, kMinCompared));
   distances_.resize(static_cast<std::size_t>(views));
   if (by_code > 0) codes_.distances(query, bits_);
   compareFrom(query, by_code);
@@ -182,7 +182,7 @@ std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
   const auto isBetter = [&](std::int64_t a, std::int64_t b) {
     return cost[static_cast<std::size_t>(a)] < cost[static_cast<std::size_t>(b)];
   };
-  float limit = 0;                     // a cost of 0 and above is no place
+  float limit = 0;                     // views with a cost of 0 and above are not places
   constexpr std::int64_t kBlock = 64;  // views; only for speed
   for (std::int64_t block = 0; block < candidates_; block += kBlock) {
     const std::int64_t end = std::min(block + kBlock, candidates_);
@@ -199,7 +199,7 @@ std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
 
 std::vector<PlaceCandidate> PlaceSearch::candidates(int most) const {
   std::vector<PlaceCandidate> found;
-  if (candidates_ < kMin) return found;
+  if (candidates_ < kMinCompared) return found;
   std::vector<std::int64_t> places;  // the best view of each
   const auto count = static_cast<std::size_t>((most + 1) * 2 * kSamePlace);
   for (const std::int64_t view : std::span(best_).first(std::min(count, best_.size()))) {
@@ -239,8 +239,8 @@ MeasuredShift shiftOf(const ViewQuery& query, const ViewBank& bank, std::int64_t
   const auto best = static_cast<std::size_t>(std::ranges::min_element(d) - d.begin());
   double between = 0;
   if (best > 0 && best + 1 < d.size()) {
-    const double bend = d[best - 1] - 2.0 * d[best] + d[best + 1];
-    if (bend > 0) between = 0.5 * (d[best - 1] - d[best + 1]) / bend;
+    const double curvature = d[best - 1] - 2.0 * d[best] + d[best + 1];
+    if (curvature > 0) between = 0.5 * (d[best - 1] - d[best + 1]) / curvature;
   }
   return {d[best], static_cast<double>(best) - kShift + between};
 }

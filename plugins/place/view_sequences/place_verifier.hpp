@@ -13,9 +13,9 @@
 namespace tolman::view_sequences {
 
 struct VerifierSettings {
-  int corners = 0;           ///< most corners of a view; 0: no landmarks
+  int corners = 0;           ///< most corners that a view keeps; 0: no landmarks
   int least_agreeing = 20;   ///< landmarks
-  std::int64_t spacing = 3;  ///< views between those that keep landmarks
+  std::int64_t spacing = 4;  ///< views from one that keeps landmarks to the next
 };
 
 class PlaceVerifier {
@@ -33,8 +33,8 @@ class PlaceVerifier {
   std::optional<std::int64_t> viewNear(std::int64_t view) const;
   /// Pose of the frame relative to a view with landmarks; empty if too few agree.
   Result<std::optional<landmarks::MeasuredPose>> locate(std::int64_t view);
-  /// The same from the edges around landmarks, which are found in other light, too, but only from
-  /// nearly the same direction.
+  /// The same by the edges around landmarks. They are also found under other illumination, but only
+  /// from nearly the same direction.
   Result<std::optional<landmarks::MeasuredPose>> locateByEdges(std::int64_t view);
 
   Status save(StateWriter& writer) const { return store_.save(writer); }

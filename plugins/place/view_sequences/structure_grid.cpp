@@ -7,13 +7,13 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Limits of the bands, m above the street. Lower points are the street itself. Chosen on
-// district.
+// Limits of the bands, m above the street. Lower points are the street itself. Chosen on the town's
+// `district`.
 constexpr std::array<float, kHeights + 1> kLimits = {0.4F, 1.2F, 2.2F, 3.5F, 5.5F, 8.0F, 30.0F};
 // Height of the camera above the street, m: that of KITTI's car. Another height shifts all bands
 // equally, in stored grids and in the present one.
 constexpr float kCameraHeight = 1.65F;
-// Levels per unit of the logarithm, such that 15 means a thousand points or more.
+// Levels per unit of the natural logarithm: level 15 means 1,408 points or more.
 constexpr double kLevelsPerLog = 2;
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Structure of a street: the number of points in each cell of a grid around the camera, 31.5 m
-// across and 24 m along the street, in six bands of height. In the opposite driving direction it is
-// the same, turned by 180 degrees.
+// across and 24 m along the street, in six bands of height. Seen in the opposite driving direction
+// the same street has the same grid, turned by 180 degrees.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,8 @@
 
 namespace tolman::view_sequences {
 
-/// Chosen on district: a prototype found 64 % there, with cells of 2.5 m 33 %, with three
-/// heights 36.
+/// Chosen on the town's `district`. A prototype found 64 % of the views that show a street in
+/// the opposite direction there; with cells of 2.5 m 33 %, with three bands of height 36 %.
 inline constexpr int kLateral = 21;
 inline constexpr int kAlong = 16;
 inline constexpr int kHeights = 6;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The standardised value z of a distance among all distances that were compared at a step.
+// The standardised value z of a distance: its difference from the mean of all distances of a step,
+// in standard deviations.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +20,8 @@ class UsualDistance {
   }
 
  private:
-  // Standard deviation of distances between different places (campus walks, day and night). As a
-  // prior it counts as much as this number of views. Grids of structure use the same.
+  // Prior of the standard deviation, with the weight of kPriorViews views: that of distances
+  // between different places (campus walks, day and night). Grids of structure use the same.
   static constexpr double kPriorDeviation = 0.12;
   static constexpr double kPriorViews = 20;
   // Limits the effect of a single view, however similar. Chosen on the walks and a corridor

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stored views, in the order in which they were driven. The common part of all views of a pass
+// The stored views, in the order in which they were driven. What all views of a pass have in common
 // (lens, bonnet, light, season) has no information about the place. So each view is compared by its
-// deviation from the mean of the views around it, which is stored for chunks of 64 views.
+// deviation from a mean, which is stored for chunks of 64 views: the mean of the chunk and its two
+// neighbours of the same pass.
 #pragma once
 
 #include <array>

@@ -97,11 +97,11 @@ Status ViewSequences::observe(const Frame& frame, const Motion* motion,
     steps_->postpone(*step);
     return Status::ok();
   }
-  return take(*step, frame, packed(edges), observation);
+  return processStep(*step, frame, packed(edges), observation);
 }
 
-Status ViewSequences::take(const PathStep& step, const Frame& frame, const PackedView& view,
-                           PlaceObservation& observation) {
+Status ViewSequences::processStep(const PathStep& step, const Frame& frame, const PackedView& view,
+                                  PlaceObservation& observation) {
   if (step.begins_pass) {
     mean_.beginPass();
     search_->beginPass();
@@ -122,8 +122,9 @@ Status ViewSequences::take(const PathStep& step, const Frame& frame, const Packe
 
 Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int image_width,
                              PlaceObservation& observation) {
-  // Between two measurements, and for kSilentSteps steps after the last one, a likely place is not
-  // reported (nor stored as new): without a pose it would be known only to a few metres.
+  // For landmark_spacing steps after a measured pose, and without a new one for kSilentSteps steps,
+  // a likely place is neither reported nor stored as new: without a pose it would be known only to
+  // a few metres.
   constexpr std::int64_t kSilentSteps = 20;  // steps; chosen, not tuned
   const std::vector<PlaceCandidate> found =
       search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMaxPlaces : 1);
@@ -144,8 +145,8 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   return Status::ok();
 }
 
-/// The place whose landmarks agree on a pose near it; by corners, or, where they find none, by the
-/// edges around them.
+/// The place whose landmarks agree on a pose near it: by their corners, and if these give no pose,
+/// by the edges around the landmarks.
 Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
     const std::vector<PlaceCandidate>& candidates) {
   auto place = verifiedBy(&PlaceVerifier::locate, candidates);
@@ -156,9 +157,10 @@ Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
   return place;
 }
 
-/// The most probable place with a pose if it is `kSure`, otherwise the one where most landmarks
-/// agree, for fronts repeat. A pose farther away is of a view along the same street: it is measured
-/// too poorly for a loop.
+/// The most probable place with a measured pose, if its probability is at least kSure; otherwise
+/// the one with the most inliers, because similar house fronts repeat along a street. Poses farther
+/// away than kFarthestPose are not used: they are of views further along the same street, with
+/// errors of metres.
 Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verifiedBy(
     Locate locate, const std::vector<PlaceCandidate>& candidates) {
   constexpr double kSure = 0.9;  // chosen, not tuned
@@ -243,7 +245,8 @@ void ViewSequences::recognise(const VerifiedView& place, const ViewQuery& query,
   }
 }
 
-/// Positive to the left: when the camera turns left, the scene moves to the right.
+/// Yaw (rad, positive to the left) of the camera whose scene has moved by `moved_left_cells`: when
+/// the camera turns left, the scene moves to the right.
 double ViewSequences::yawOf(double moved_left_cells, int image_width) const {
   const double cell_px = static_cast<double>(image_width) / kColumns;
   const double half = 0.5 * parameters_.field_of_view * std::numbers::pi / 180;
@@ -263,7 +266,7 @@ Status ViewSequences::describe(std::vector<ArrayInfo>& arrays) const {
   for (const char* name : {"view.current", "view.template"}) {
     ArrayInfo view;
     view.name = name;
-    view.doc = std::string(name) == "view.current" ? "edges of the view of now"
+    view.doc = std::string(name) == "view.current" ? "edges of the current view"
                                                    : "edges of the view of the last answer";
     view.axes.resize(2);
     view.axes[0].name = "row";

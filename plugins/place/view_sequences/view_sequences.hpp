@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Place recognition by sequences of views along the driven path. Each step of `spacing` metres
-// compares the present view with the stored ones and adds up the cost along stored paths. A
-// place that is much more probable than all others is familiar; any other view is stored. Only past
+// compares the present view with the stored ones and adds up the cost along stored paths. A view is
+// familiar if its best place is much more probable than all others, or if landmarks verify it; if
+// no place is likely, the view is stored as novel; between the two the answer is `none`. Only past
 // views are used. The score of the answer is the probability that the best place is wrong.
 #pragma once
 
@@ -41,7 +42,8 @@ class ViewSequences final : public Place,
   Status load(std::istream& stream) override;
 
  private:
-  static constexpr std::int64_t kNever = 1'000'000;  // steps: more than any spacing
+  /// Steps since an event that has not happened: more than any spacing.
+  static constexpr std::int64_t kNever = 1'000'000;
 
   /// A stored view at the present place, with the measured pose, if any.
   struct VerifiedView {
@@ -49,8 +51,8 @@ class ViewSequences final : public Place,
     std::optional<landmarks::MeasuredPose> pose;
   };
 
-  Status take(const PathStep& step, const Frame& frame, const PackedView& view,
-              PlaceObservation& observation);
+  Status processStep(const PathStep& step, const Frame& frame, const PackedView& view,
+                     PlaceObservation& observation);
   Status answer(const PathStep& step, const ViewQuery& query, int image_width,
                 PlaceObservation& observation);
   using Locate = Result<std::optional<landmarks::MeasuredPose>> (PlaceVerifier::*)(std::int64_t);

@@ -127,7 +127,11 @@ std::int64_t integerFrom(py::handle value, const std::string& place) {
   const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
   const std::int64_t number = index ? PyLong_AsLongLong(index.ptr()) : -1;
   if (PyErr_Occurred() != nullptr) {
+    const bool too_large = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
     PyErr_Clear();
+    if (too_large) {
+      throw WrongAnswer(place + ": should be an integer of 64 bits; this one needs more");
+    }
     refuse(place, "an integer of 64 bits", value);
   }
   return number;

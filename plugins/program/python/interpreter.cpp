@@ -208,7 +208,7 @@ Status failureOf(py::error_already_set& error, const char* call, Logger* log) {
     const std::string hint = error.matches(PyExc_ModuleNotFoundError)
                                  ? "; install python3-numpy and python3-tolman"
                                  : "";
-    return Status::failed(std::string(py::str(error.value())) + hint);
+    return Status::failed(textFrom(py::str(error.value()), "the text of an exception") + hint);
   }
   error.restore();
   PyObject *type = nullptr, *value = nullptr, *trace = nullptr;

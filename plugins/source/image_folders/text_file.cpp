@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "exact_decimal.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -16,7 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kSeparators = " \t\r,;";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
 /// Whether the last line, which has no end, was cut within its last field: the field has fewer
 /// decimals (characters, where it has no point) than that of every line before.
@@ -49,6 +49,10 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
     inspection.error(file, "is larger than 256 MiB; this is not the text file that is wanted");
     return {};
   }
+  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
+    inspection.error(file, problem);
+    return {};
+  }
   std::ifstream stream(file, std::ios::binary);
   std::vector<TextLine> lines;
   int number = 0;
@@ -56,7 +60,7 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
   for (std::string text; std::getline(stream, text);) {
     has_end = !stream.eof();
     ++number;
-    if (number == 1 && text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    if (number == 1) text = text_encoding::withoutMark(text);
     const std::size_t begin = text.find_first_not_of(kSeparators);
     if (begin == std::string::npos || text[begin] == '#') continue;
     if (text.back() == '\r') text.pop_back();
@@ -91,6 +95,7 @@ std::string inQuotes(std::string_view field) {
 }
 
 std::optional<double> parseNumber(std::string_view field) {
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double number = 0;
   const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), number);
   const bool whole = failure == std::errc{} && end == field.data() + field.size();

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "text_encoding.hpp"
+
 namespace tolman::motion_log {
 namespace {
 
@@ -62,7 +64,7 @@ std::string informationProblem(std::istringstream& fields) {
 /// Reads a line, without the byte order mark that some editors write before UTF-8.
 bool readLine(std::ifstream& stream, std::string& line, int& number) {
   if (!std::getline(stream, line)) return false;
-  if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  if (++number == 1) line = text_encoding::withoutMark(line);
   return true;
 }
 
@@ -78,6 +80,9 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
   if (!stream.is_open()) {
     return Status::invalidInput(file.string() + " is not a readable file; check the path");
+  }
+  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
   }
   std::vector<Edge> edges;
   int number = 0;

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "text_encoding.hpp"
+
 namespace tolman::ros_bag {
 namespace fs = std::filesystem;
 
@@ -93,8 +95,12 @@ std::string missingMessages(const fs::path& path, std::int64_t messages) {
 Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_directory(path, failure)) return std::vector<fs::path>{path};
+  const fs::path metadata = path / "metadata.yaml";
+  if (const std::string problem = text_encoding::encodingProblemOf(metadata); !problem.empty()) {
+    return Status::invalidInput(metadata.string() + ": " + problem);
+  }
   std::vector<fs::path> files;
-  for (const std::string& name : filesInMetadata(readText(path / "metadata.yaml"))) {
+  for (const std::string& name : filesInMetadata(readText(metadata))) {
     // Only the file name: early versions wrote the folder, too, and no other folder may be read.
     files.push_back(path / fs::path(name).filename());
   }

@@ -36,10 +36,6 @@ float Light::onto(const Vec3& n, float lit) const {
   return lightOnto(*this, vec3s(n), eight(lit))[0];
 }
 
-float Light::fromSky(const Vec3& d, float spread) const {
-  return lightFromSky(*this, vec3s(d), spread)[0];
-}
-
 float Light::through(float of, float distance) const {
   return lightThrough(*this, eight(of), eight(distance))[0];
 }

@@ -52,8 +52,6 @@ struct Light {
 
   /// Diffuse light on a surface with unit normal `n`, of which the share `lit` sees the sun.
   float onto(const Vec3& n, float lit) const;
-  /// Radiance from direction `d` (any length), averaged over `spread` rad.
-  float fromSky(const Vec3& d, float spread) const;
   /// Radiance `of` a point seen through `distance` m of air.
   float through(float of, float distance) const;
   /// Light that determines the exposure: that on the road, and more with snow, which reflects more.

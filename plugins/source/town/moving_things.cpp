@@ -110,39 +110,39 @@ std::vector<MovingThings::Pose> MovingThings::posesAt(const Instant& now) const 
 }
 
 bool MovingThings::arrange(Scene& scene, const Instant& now) {
-  const std::vector<Pose> poses = posesAt(now);
-  cars_.clear();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const auto& [placement, prototype] = poses[i];
+  arranged_ = posesAt(now);
+  for (std::size_t i = 0; i < arranged_.size(); ++i) {
+    const auto& [placement, prototype] = arranged_[i];
     scene.show(first_ + i, placement.has_value());
     if (!placement) continue;
     if (prototype) scene.change(first_ + i, *prototype);
     scene.move(first_ + i, *placement);
-    if (i < traffic_.size() + crossing_.size()) cars_.push_back(*placement);
   }
   for (const Wind::Plant& plant : wind_.plants()) {
     scene.move(plant.instance, wind_.at(plant, now.seconds));
   }
-  return !wind_.plants().empty() || !poses.empty();
+  return !wind_.plants().empty() || !arranged_.empty();
 }
 
-void MovingThings::follow(const Instant& begin, const Instant& middle, const Instant& end,
-                          OpenShutter& shutter) const {
+void MovingThings::follow(const Instant& begin, const Instant& end, OpenShutter& shutter) const {
   const std::vector<Pose> at_begin = posesAt(begin);
-  const std::vector<Pose> at_middle = posesAt(middle);
   const std::vector<Pose> at_end = posesAt(end);
   shutter.first_object = static_cast<std::uint32_t>(first_);
-  shutter.objects.assign(at_middle.size(), {});
-  for (std::size_t i = 0; i < at_middle.size(); ++i) {
-    if (!at_begin[i].placement || !at_middle[i].placement || !at_end[i].placement) continue;
-    shutter.objects[i] = {between(*at_middle[i].placement, *at_begin[i].placement),
-                          between(*at_middle[i].placement, *at_end[i].placement)};
+  shutter.objects.assign(arranged_.size(), {});
+  for (std::size_t i = 0; i < arranged_.size(); ++i) {
+    const std::optional<Placement>& middle = arranged_[i].placement;
+    if (!at_begin[i].placement || !middle || !at_end[i].placement) continue;
+    shutter.objects[i] = {between(*middle, *at_begin[i].placement),
+                          between(*middle, *at_end[i].placement)};
   }
 }
 
 void MovingThings::addHeadlights(Light& light, const Eigen::Isometry3d& T_town_camera) const {
   if (!headlights_) return;
-  std::vector<Placement> near = cars_;
+  std::vector<Placement> near;
+  for (std::size_t i = 0; i < traffic_.size() + crossing_.size(); ++i) {
+    if (arranged_[i].placement) near.push_back(*arranged_[i].placement);
+  }
   const auto away = [&](const Placement& p) { return metresFrom(T_town_camera, p.position); };
   std::stable_sort(near.begin(), near.end(),
                    [&](const Placement& a, const Placement& b) { return away(a) < away(b); });

@@ -35,10 +35,9 @@ class MovingThings {
 
   /// Moves the objects; true if some have moved, so that the scene must be committed.
   bool arrange(Scene& scene, const Instant& now);
-  /// Sets the motion of vehicles and people from parts of the drive; trees count as fixed, because
-  /// they sway by less than a millimetre while a shutter is open.
-  void follow(const Instant& begin, const Instant& middle, const Instant& end,
-              OpenShutter& shutter) const;
+  /// Sets the motion of vehicles and people while a shutter is open; after arrange() for the middle
+  /// of this time. Trees count as fixed, because they sway by less than a millimetre.
+  void follow(const Instant& begin, const Instant& end, OpenShutter& shutter) const;
   /// Adds the lamps of moving cars near the camera if `traffic_headlights` is set; after arrange().
   void addHeadlights(Light& light, const Eigen::Isometry3d& T_town_camera) const;
 
@@ -61,7 +60,7 @@ class MovingThings {
   std::size_t first_ = 0;               ///< instance: traffic, then crossing cars, cyclists, people
   std::vector<std::uint32_t> walkers_;  ///< prototypes of postures
   std::vector<std::uint32_t> pedals_;
-  std::vector<Placement> cars_;  ///< places of the cars that are shown
+  std::vector<Pose> arranged_;  ///< by the last arrange()
 };
 
 }  // namespace tolman::town

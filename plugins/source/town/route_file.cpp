@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "route.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::town {
 namespace fs = std::filesystem;
@@ -96,6 +97,7 @@ Result<std::vector<Eigen::Isometry3d>> readPoses(std::istream& stream, const std
   std::size_t number = 0;
   for (std::string line; std::getline(stream, line);) {
     const std::string place = name + ":" + std::to_string(++number) + ": ";
+    if (number == 1) line = text_encoding::withoutMark(line);
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const auto pose = parsePose(line);
     if (const auto* problem = std::get_if<std::string>(&pose)) {
@@ -127,6 +129,9 @@ Result<CameraRoute> readRoute(const fs::path& file, const RouteOptions& options)
   }
   if (fs::file_size(file, failure) > kMaxBytes || failure) {
     return Status::invalidInput(name + ": is larger than 256 MiB; give a KITTI pose file");
+  }
+  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
+    return Status::invalidInput(name + ": " + problem);
   }
   std::ifstream stream(file);
   const Result<std::vector<Eigen::Isometry3d>> poses = readPoses(stream, name, options.rate);

@@ -250,7 +250,7 @@ Image TownSource::takePicture(std::size_t index, bool right) {
   Moment moment;
   moment.T_town_left = [this, index](double part) { return poseAt(T_town_camera_, index, part); };
   moment.follow = [this, index](double begin, double end, OpenShutter& shutter) {
-    moving_->follow(instantAt(index, begin), instantAt(index, 0), instantAt(index, end), shutter);
+    moving_->follow(instantAt(index, begin), instantAt(index, end), shutter);
   };
   moment.interval_s = intervalAt(index);
   moment.seconds = secondsAt(index);
@@ -312,14 +312,13 @@ Status TownSource::inspect(std::vector<Finding>& findings) {
     return Status::ok();
   }
   double length = 0;
-  for (std::size_t i = 1; i < route_.T_town_camera.size(); ++i) {
-    length +=
-        (route_.T_town_camera[i].translation() - route_.T_town_camera[i - 1].translation()).norm();
+  for (std::size_t i = 1; i < T_town_camera_.size(); ++i) {
+    length += (T_town_camera_[i].translation() - T_town_camera_[i - 1].translation()).norm();
   }
   double streets = 0;
   for (const StreetSection& section : plan_->sections()) streets += section.points.back().s;
   const auto metres = [](double m) { return std::to_string(std::lround(m)) + " m"; };
-  note(Finding::Severity::Note, std::to_string(route_.T_town_camera.size()) + " poses over " +
+  note(Finding::Severity::Note, std::to_string(T_town_camera_.size()) + " poses over " +
                                     metres(length) + ", " + metres(streets) + " of streets in " +
                                     std::to_string(plan_->sections().size()) + " sections");
   if (is_levelled_) {

@@ -44,7 +44,6 @@ class VideoFile final : public Capture {
       : path_(std::move(path)), cancellation_(cancellation) {}
   Status openStream();
   Status openDecoder();
-  void readSize();
   /// Sends one packet of the stream, or the end, to the decoder.
   Status feed();
   bool endsEarly() const;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "calibration_cameras.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::camera_files {
 namespace fs = std::filesystem;
@@ -25,10 +26,11 @@ std::string readText(const fs::path& file) {
     throw FileError(0, "is larger than 1 MiB; this is no calibration");
   }
   std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
   if (!stream.eof() && !stream) throw FileError(0, "cannot be read; check its permissions");
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  return text;
+  const std::string problem = text_encoding::encodingProblem(text);
+  if (!problem.empty()) throw FileError(0, problem);
+  return std::string(text_encoding::withoutMark(text));
 }
 
 bool hasLine(std::string_view text, std::string_view start) {

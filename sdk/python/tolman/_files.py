@@ -52,10 +52,10 @@ def exit_code_of(command):
 
 
 def refuse_existing(files, replace, remedy):
-    """The rule of `tolman` for files that the user named: one that exists and is not empty is replaced only by --force."""
+    """The rule of `tolman` for files that the user named: one that exists and is not empty is replaced only with --force."""
     for file in files:
         if not replace and (file.is_symlink() or (file.is_file() and file.stat().st_size > 0)):
-            raise FileExistsError(f"{file}: exists; {remedy}, or replace it by --force")
+            raise FileExistsError(f"{file}: exists; {remedy}, or replace it with --force")
 
 
 def add_output_options(parser):

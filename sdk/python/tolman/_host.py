@@ -3,6 +3,7 @@
 import importlib.util
 import inspect
 import pathlib
+import re
 import sys
 import traceback
 import types
@@ -116,4 +117,10 @@ def described(error, call):
     own_error = kind in ("InvalidInput", "InvalidParameter", "Unsupported", "Damaged")
     line = text if own_error else f"{kind}: {text}" + place
     listed = "".join(traceback.format_list(frames[-_SHOWN_FRAMES:])).rstrip()
-    return " ".join(line.split()), f"traceback of {call}:\n{listed}\n{kind}: {text}" if frames else ""
+    trace = f"traceback of {call}:\n{listed}\n{kind}: {text}" if frames else ""
+    return _shown(" ".join(line.split())), _shown(trace)
+
+
+def _shown(text):
+    """With U+FFFD for lone surrogates, which have no UTF-8."""
+    return re.sub("[\ud800-\udfff]", "\ufffd", text)

@@ -75,9 +75,8 @@ def _add_rates(run, name, out):
     out.add(f"tuning/{name}/values", tuning.values, run.array(name).unit)
 
 
-def write(run_directory, file=None):
-    """Writes `file`, by default run.npz in the run directory; returns its path."""
-    run, out = Run(run_directory), _Arrays()
+def _arrays_of(run):
+    out = _Arrays()
     _add_tables(run, out)
     for name in run.arrays:
         array = run.array(name)
@@ -89,6 +88,14 @@ def write(run_directory, file=None):
         for name, unit in out.units.items():
             if not name.startswith(of_truth):
                 out.units[name] = {"m": "units", "m/s": "units/s"}.get(unit, unit)
+    return out
+
+
+def write(run_directory, file=None):
+    """Writes `file`, by default run.npz in the run directory; returns its path. Of a run that goes on: its state of one moment."""
+    run = Run(run_directory)
+    with run.one_state():
+        out = _arrays_of(run)
     file = pathlib.Path(file) if file else run.path / "run.npz"
     with written(file), replacing(file) as temporary, open(temporary, "wb") as stream:
         np.savez_compressed(stream, units=json.dumps(out.units), **out.arrays)

@@ -196,13 +196,12 @@ def _write_intervals(writer, run, poses, seconds, origin_ns):
     writer.table("intervals/views", "TimeIntervals", "views that were recognised or stored", columns)
 
 
-def export(run, out=None, peak_hz=PEAK_HZ):
-    """Writes a Run to an NWB file, by default run.nwb in its directory; gives the path. An existing file is replaced."""
+def _contents(run, peak_hz):
+    """The file in memory, for HDF5 crashes where a write to a file fails."""
     import h5py
 
     from tolman import _hdf5
 
-    out = pathlib.Path(out) if out else run.path / "run.nwb"
     poses, frames = run.measured_poses(), run.frames
     if len(poses) < 2:
         raise ValueError(f"{run.path}: fewer than two frames have a pose; there is nothing to export")
@@ -215,7 +214,6 @@ def export(run, out=None, peak_hz=PEAK_HZ):
     seconds = 1e-9 * (np.asarray(poses["stamp_ns"]) - origin_ns)
     started = run.info.get("started", "1980-01-01T00:00:00Z").replace("Z", "+00:00")
     of = "true poses" if frames["has_truth"].max() else "poses of the finished map"
-    # In memory, for HDF5 crashes where a write to a file fails.
     memory = io.BytesIO()
     with h5py.File(memory, "w", libver=("v108", "v110"), track_order=False) as file:
         writer = _hdf5.Writer(file, f"{run.info.get('name')} {started} {json.dumps(run.info.get('plugins'))}")
@@ -223,8 +221,19 @@ def export(run, out=None, peak_hz=PEAK_HZ):
         _write_behavior(writer, poses, seconds, of, frames["has_truth"].max() or run.scale_known)
         _write_units(writer, run, origin_ns, peak_hz)
         _write_intervals(writer, run, poses, seconds, origin_ns)
+    return memory.getbuffer()
+
+
+def export(run, out=None, peak_hz=PEAK_HZ):
+    """Writes a Run to an NWB file, by default run.nwb in its directory; gives the path. An existing file is replaced.
+
+    Of a run that goes on: its state of one moment.
+    """
+    out = pathlib.Path(out) if out else run.path / "run.nwb"
+    with run.one_state():
+        contents = _contents(run, peak_hz)
     with written(out), replacing(out) as unfinished:
-        unfinished.write_bytes(memory.getbuffer())
+        unfinished.write_bytes(contents)
     return out
 
 

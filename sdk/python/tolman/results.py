@@ -6,6 +6,7 @@
     run.array("grid.activity").values                    # frames x rows x columns
     run.rate_maps("grid.activity"), run.tuning("hd.activity"), run.metrics
 """
+import contextlib
 import functools
 import json
 import pathlib
@@ -69,6 +70,15 @@ class Run:
 
     def __repr__(self):
         return f"tolman.Run({str(self.path)!r})"
+
+    @contextlib.contextmanager
+    def one_state(self):
+        """All that is read of run.sqlite within this context is of one moment, also if the run goes on meanwhile."""
+        self._database.execute("BEGIN")
+        try:
+            yield self
+        finally:
+            self._database.rollback()
 
     def _json(self, name):
         file = self.path / name

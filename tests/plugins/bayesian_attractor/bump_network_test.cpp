@@ -13,11 +13,11 @@ using namespace tolman::bayesian_attractor;
 
 namespace {
 
-const Eigen::Matrix3d kClaimed = Eigen::Vector3d(4e-4, 4e-4, 4e-6).asDiagonal();
+const Eigen::Matrix3d kReported = Eigen::Vector3d(4e-4, 4e-4, 4e-6).asDiagonal();
 const Eigen::Matrix3d kMeasured = Eigen::Vector3d(0.09, 0.09, 9e-4).asDiagonal();
 
 void drive(BumpNetwork& network, int steps, double turn = 0) {
-  for (int i = 0; i < steps; ++i) network.integrate({1, 0, turn}, kClaimed);
+  for (int i = 0; i < steps; ++i) network.integrate({1, 0, turn}, kReported);
 }
 
 const CalibrationBump& strongest(const BumpNetwork& network) {
@@ -30,11 +30,12 @@ double logit(double share) { return std::log(share / (1 - share)); }
 
 }  // namespace
 
-TEST_CASE("a view founds a bump with prior odds, likelihood and look-alikes as the energy") {
+TEST_CASE(
+    "the energy of a new bump is prior log odds plus log-likelihood ratio against look-alikes") {
   BumpNetwork network({});
   const LearnedPattern start = network.currentPattern();
   drive(network, 200);
-  // The view claims to see the start from 60 m behind the present place.
+  // According to the view the robot is 60 m behind the place that path integration gives.
   const Recalibration calibrated = network.inject(start, {140, 0, 0}, kMeasured);
   CHECK_FALSE(calibrated.accepted);
 
@@ -60,12 +61,13 @@ TEST_CASE("a view founds a bump with prior odds, likelihood and look-alikes as t
   CHECK(network.share(expected) == Approx(1 / (1 + std::exp(-expected))));
 }
 
-TEST_CASE("one view that path integration expects wins alone, and the integrator takes its place") {
+TEST_CASE(
+    "one view where path integration expects it is accepted, and the integrator moves to it") {
   BumpNetwork network({});
   const LearnedPattern start = network.currentPattern();
   for (int side = 0; side < 4; ++side) {
     drive(network, 99);
-    network.integrate({1, 0, std::numbers::pi / 2}, kClaimed);
+    network.integrate({1, 0, std::numbers::pi / 2}, kReported);
   }
   const Recalibration calibrated = network.inject(start, {0.5, 0.2, 0.02}, kMeasured);
   REQUIRE(calibrated.accepted);
@@ -79,7 +81,7 @@ TEST_CASE("one view that path integration expects wins alone, and the integrator
   CHECK(network.state().calibration.empty());
 }
 
-TEST_CASE("support adds up: views far from path integration win when they agree") {
+TEST_CASE("energies add up: several agreeing views far from path integration are accepted") {
   BumpNetwork network({});
   std::vector<LearnedPattern> seen;
   for (int i = 0; i < 400; ++i) {  // once round a circle
@@ -98,7 +100,7 @@ TEST_CASE("support adds up: views far from path integration win when they agree"
   CHECK(views < 8);
 }
 
-TEST_CASE("views that contradict each other make bumps of their own, never an average") {
+TEST_CASE("views that contradict each other make separate bumps, never an average") {
   BumpNetwork network({});
   std::vector<LearnedPattern> seen;
   for (int i = 0; i < 600; ++i) {
@@ -113,7 +115,7 @@ TEST_CASE("views that contradict each other make bumps of their own, never an av
   }
 }
 
-TEST_CASE("the same view on the spot is no new evidence") {
+TEST_CASE("a view repeated without motion adds no energy") {
   BumpNetwork network({});
   const LearnedPattern start = network.currentPattern();
   drive(network, 300);
@@ -123,7 +125,7 @@ TEST_CASE("the same view on the spot is no new evidence") {
   CHECK(strongest(network).energy == once);
 }
 
-TEST_CASE("a bump loses energy with the way, and vanishes") {
+TEST_CASE("a bump loses energy in proportion to the driven distance and is removed") {
   BumpNetwork network({});
   const LearnedPattern start = network.currentPattern();
   drive(network, 100);
@@ -135,7 +137,7 @@ TEST_CASE("a bump loses energy with the way, and vanishes") {
   CHECK(network.state().calibration.empty());
 }
 
-TEST_CASE("without injection no bump ever wins") {
+TEST_CASE("without injection no bump is accepted") {
   BumpNetwork network({.injection = 0});
   const LearnedPattern start = network.currentPattern();
   for (int i = 0; i < 50; ++i) {
@@ -159,7 +161,7 @@ TEST_CASE("with one grid module a view one period away is as good as the true on
   CHECK_FALSE(accepted(4));
 }
 
-TEST_CASE("new_part up in an unknown place, views that agree find it, and the parts are joined") {
+TEST_CASE("after startPart() views that agree accept a bump, and the two parts are joined") {
   BumpNetwork network({});
   std::vector<LearnedPattern> seen;
   for (int i = 0; i < 400; ++i) {

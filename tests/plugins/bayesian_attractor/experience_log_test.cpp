@@ -84,7 +84,7 @@ TEST_CASE("a loop is no new experience: the distance to the next one counts on")
 
 TEST_CASE("carried away: a new experience is due, and loops to all are allowed at once") {
   ExperienceLog log{{}};
-  log.startPart();  // before the first experience it says nothing
+  log.startPart();  // before the first experience it has no effect
   CHECK(log.current() == -1);
   for (int i = 0; i < 3; ++i) {
     log.create();

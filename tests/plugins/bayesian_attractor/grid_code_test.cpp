@@ -50,7 +50,7 @@ TEST_CASE("the modules' precisions add") {
   CHECK(1 / (two.sigma() * two.sigma()) == Approx(1 + 1 / (1.42 * 1.42)));
 }
 
-TEST_CASE("a closed way leads back, however long") {
+TEST_CASE("a closed path of any length returns to its first phase") {
   const GridCode code(20, 3, 0.005);
   Phases phases = code.origin();
   for (int side = 0; side < 4; ++side) {

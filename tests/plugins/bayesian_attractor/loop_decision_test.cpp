@@ -86,7 +86,7 @@ TEST_CASE("a loop of one view has its measured pose, seen from the experience") 
   CHECK(decision.covariance == seen.covariance);
 }
 
-TEST_CASE("when a bump of several views wins, the loops of all its views are told") {
+TEST_CASE("when a bump of several views is accepted, the loops of all its views are reported") {
   BayesianAttractor plugin;
   REQUIRE(configure(plugin, {}).isOk());
   for (int frame = 0; frame < 40; ++frame) lapFrame(plugin, frame, frame == 20 ? 0.5 : 0);

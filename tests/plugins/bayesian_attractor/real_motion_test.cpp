@@ -18,7 +18,7 @@ struct Counts {
   int wrong = 0;
 };
 
-/// Candidates that feed bumps which win; candidate (i, j) says that frame i looks like frame j.
+/// Candidates whose bumps are accepted; candidate (i, j): frame i looks like frame j.
 Counts closedBy(const std::filesystem::path& folder, const NetworkSettings& settings) {
   const auto motion = readEdges(folder / "odometry.g2o");
   const auto truth = posesOf(readEdges(folder / "ground_truth.g2o"));

@@ -141,7 +141,7 @@ TEST_CASE("each parameter changes decisions on two real sequences at least", "[d
   }
 }
 
-TEST_CASE("with the network cut out no loop is closed", "[data]") {
+TEST_CASE("without injection no loop is closed", "[data]") {
   for (const Drive& drive : drives()) {
     INFO(drive.name);
     const auto all = decisions(drive, {{"injection", 0.0}, {"inhibition", 0.0}}, {});

@@ -100,7 +100,7 @@ class Judge {
   std::vector<Eigen::Isometry3d> experiences_;
 };
 
-/// What a place looks like tells nothing of its height. The first view of it makes the template.
+/// The appearance of a place does not depend on the storey. Its first view makes the template.
 PlaceObservation look(const Stop& stop, std::map<int, Eigen::Isometry3d>& templates,
                       RandomStream& random) {
   Eigen::Isometry3d here = poseAt(stop);
@@ -142,7 +142,7 @@ Outcome decide(const std::vector<Stop>& stops, const ParameterValues& parameters
 
 const ParameterValues kSpace = {{"height_period", 20.0}};
 
-/// Signs that say the storey: the first 20 m of a round look different on each.
+/// With signs of the storey: the first 20 m of a round look different on each.
 std::vector<Stop> withSigns(std::vector<Stop> stops) {
   for (Stop& stop : stops) {
     if (stop.slope != 0 || stop.step >= 20) continue;
@@ -153,7 +153,7 @@ std::vector<Stop> withSigns(std::vector<Stop> stops) {
 
 enum class Break { Kidnapped, NewSession };
 
-/// A drive, then another one whose first pose nobody knows.
+/// A drive, then another one that starts at an unknown pose.
 Outcome decideBroken(const std::vector<Stop>& before, const std::vector<Stop>& after, Break how,
                      std::uint64_t seed) {
   std::vector<Stop> stops = before;
@@ -271,7 +271,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("where storeys have no sign none is guessed, until a place comes that only one has") {
+TEST_CASE("ambiguous storeys are not decided until a view of only one of them is seen") {
   const std::vector<Stop> before = drive(1, kStorey);
   for (const int storey : {1, 3, 4}) {
     const std::vector<Stop> after(before.end() - kSteps * (storey + 1), before.end());

@@ -48,7 +48,7 @@ TEST_CASE("a camera in any attitude is found out when the vehicle has turned") {
     const Eigen::Vector3d rotation =
         0.4 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
     const Eigen::Isometry3d mount = turned(rotation);
-    if (mount.linear()(1, 1) < 0.3) continue;  // it lies on its side or stands on its head
+    if (mount.linear()(1, 1) < 0.3) continue;  // the camera is on its side or upside down
     Upright upright;
     for (int k = 0; k < 60; ++k) upright.add(stepOf(0.1, mount));
     CAPTURE(rotation.transpose());

@@ -38,7 +38,7 @@ TEST_CASE("loops of one bump keep their distance, those of another do not matter
   CHECK(waiting.of(2, 100).empty());
 }
 
-TEST_CASE("a loop near the one that is closed now is not told") {
+TEST_CASE("a waiting loop near the one that is closed now is not reported") {
   WaitingLoops waiting(5);
   waiting.add(waitingLoop(0, 10, 1));
   waiting.add(waitingLoop(0, 15, 2));

@@ -26,8 +26,10 @@ Eigen::Matrix3d randomCovariance(RandomStream& random, double metres, double rad
   return L * L.transpose();
 }
 
-/// A wandering chain with noisy odometry and loops that are nearly right; `lies` of them are not.
-Graph randomGraph(std::uint64_t seed, std::size_t count, std::size_t loops, std::size_t lies) {
+/// A wandering chain with noisy odometry and loops that are nearly right; `false_loops` of them are
+/// not.
+Graph randomGraph(std::uint64_t seed, std::size_t count, std::size_t loops,
+                  std::size_t false_loops) {
   RandomStream random(seed);
   Graph graph;
   std::vector<PlanarPose> truth = {{}};
@@ -46,7 +48,7 @@ Graph randomGraph(std::uint64_t seed, std::size_t count, std::size_t loops, std:
     graph.nodes.push_back(compose(graph.nodes.back(), link.pose));
     graph.links.push_back(link);
   }
-  for (std::size_t k = 0; k < loops + lies; ++k) {
+  for (std::size_t k = 0; k < loops + false_loops; ++k) {
     PlanarLink link;
     link.from = random.below(count / 2);
     link.to = count / 2 + random.below(count / 2);

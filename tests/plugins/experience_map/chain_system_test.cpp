@@ -42,7 +42,7 @@ PoseLink<G> randomLink(RandomStream& random, std::size_t from, std::size_t to) {
           .weight = random.uniform(0.2, 1)};
 }
 
-/// A chain with the given loops, nothing of which fits.
+/// A chain with the given loops; all poses and measurements are random.
 template <class G>
 RandomProblem<G> randomProblem(std::uint64_t seed, std::size_t count,
                                const std::vector<std::pair<std::size_t, std::size_t>>& loops) {
@@ -196,18 +196,18 @@ TEMPLATE_TEST_CASE("a bend is taken from the information along the residual, not
                    Plane, Space) {
   using Step = StepOf<TestType>;
   RandomProblem<TestType> problem = randomProblem<TestType>(10, 20, {{1, 15}, {4, 18}});
-  std::vector<double> bends(problem.links.size());
+  std::vector<double> curvatures(problem.links.size());
   RandomProblem<TestType> bent = problem;  // the same curvature by another covariance
   for (const std::size_t k : {19, 20}) {
     const PoseLink<TestType>& link = problem.links[k];
     const Step r = residualOf(link, problem.nodes[link.from], problem.nodes[link.to]);
     const MatrixOf<TestType> W = link.covariance.inverse();
-    bends[k] = 0.3 / r.dot(W * r);
-    bent.links[k].covariance = (W - bends[k] * W * r * r.transpose() * W).inverse();
+    curvatures[k] = 0.3 / r.dot(W * r);
+    bent.links[k].covariance = (W - curvatures[k] * W * r * r.transpose() * W).inverse();
   }
   ChainSystem<TestType> system(problem.nodes.size(), problem.links);
   std::vector<Step> step;
-  system.linearise(problem.nodes, problem.links, bends);
+  system.linearise(problem.nodes, problem.links, curvatures);
   REQUIRE(system.solve(0, step));
   Dense<TestType> expected = dense(bent, 0);
   expected.g = dense(problem, 0).g;

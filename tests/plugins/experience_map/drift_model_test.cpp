@@ -150,7 +150,8 @@ TEST_CASE("the drift is the one under which the loops' residuals are most likely
   }
 }
 
-TEST_CASE("a path that hardly bends is told from one that does, and its steady drift is found") {
+TEST_CASE(
+    "a small rotation drift is distinguished from a large one, and the steady drift is found") {
   const Eigen::Vector3d sinks(0, 0.004, 0);
   for (std::uint64_t seed = 11; seed <= 16; ++seed) {
     const DriftModel straight = learned(drive(seed, sinks, 0));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kWalkFrames = 241;
 
-/// With an odometry that says how much it drifts.
+/// With an odometry whose covariance fits its drift.
 struct HonestFixture : Fixture {
   HonestFixture() { covariance = isotropic(0.02, 0.005); }
 };
@@ -142,9 +142,9 @@ TEST_CASE("an experience that did not exist then is refused, an unknown frame is
   fixture.create(step(0));
   for (int k = 1; k < 20; ++k) k % 5 == 0 ? fixture.create(step(1)) : fixture.stay(step(1));
   CHECK(tell(fixture, {7, 3, Eigen::Isometry3d::Identity(), isotropic(1, 1)}).message() ==
-        "the decision tells a loop of frame 7 to experience 3, which did not exist then");
+        "the decision has a loop of frame 7 to experience 3, which did not exist then");
   CHECK(tell(fixture, {7, 9, Eigen::Isometry3d::Identity(), isotropic(1, 1)}).message() ==
-        "the decision tells a loop of frame 7 to experience 9, which did not exist then");
+        "the decision has a loop of frame 7 to experience 9, which did not exist then");
   CHECK(tell(fixture, {-5, 0, Eigen::Isometry3d::Identity(), isotropic(1, 1)}).isOk());
 }
 

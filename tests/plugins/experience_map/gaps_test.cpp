@@ -11,18 +11,18 @@ using namespace tolman::experience_map;
 
 namespace {
 
-/// Wakes up, at a new experience.
-void wakeUp(Fixture& f) {
+/// Tracking restarts at an unknown pose; the cells create an experience.
+void restartTracking(Fixture& f) {
   Motion motion = f.motion(Eigen::Isometry3d::Identity());
   motion.state = TrackingState::Initialising;
   f.feed(motion, f.decision(Action::CreateExperience, f.created++));
 }
 
 /// A street along z with an experience every 5 m, and the same street again from 20 m on, seen from
-/// a session that knows nothing of the first one.
+/// a session without the map of the first one.
 void streetTwice(Fixture& f) {
   for (int i = 0; i < 11; ++i) f.create(step(i == 0 ? 0 : 5));
-  wakeUp(f);
+  restartTracking(f);
   for (int i = 0; i < 4; ++i) f.create(step(5));
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("a false loop joins two parts wrongly until true ones outweigh it") {
 TEST_CASE("a part may join a part that has joined") {
   Fixture f;
   streetTwice(f);
-  wakeUp(f);  // third part
+  restartTracking(f);  // third part
   f.create(step(5));
   f.closeMeasured(step(5), 12, fromPlanar({0, 0, 0.5}));  // with the second
   f.create(step(5));
@@ -120,7 +120,7 @@ TEST_CASE("a loaded map goes on as the saved one, over a gap too") {
   REQUIRE(loadInto(loaded, bytesOf(saved)).isOk());
   resume(loaded, saved);
   for (Fixture* f : {&saved, &loaded}) {
-    wakeUp(*f);
+    restartTracking(*f);
     f->create(step(5));
     f->closeMeasured(step(5), 3, fromPlanar({0.3, 0.1, 0}));
     f->close(step(5), 4);

@@ -133,15 +133,15 @@ TEST_CASE("Huber's loss stops one false link where plain least squares gives way
 
 namespace {
 
-/// A square driven twice with drift: true loops all along the second lap, and `lies` between nodes
-/// that have nothing to do with each other.
+/// A square driven twice with drift: true loops all along the second lap, and `false_loops` between
+/// nodes that have nothing to do with each other.
 struct TwoLaps {
   Problem problem;
   std::vector<PlanarPose> truth;
-  std::size_t loops = 0;  ///< true ones; they come before the lies
+  std::size_t loops = 0;  ///< true ones; they come before the false ones
 };
 
-TwoLaps twoLaps(std::size_t lies) {
+TwoLaps twoLaps(std::size_t false_loops) {
   constexpr std::size_t kSide = 20;
   constexpr std::size_t kLap = 4 * kSide;
   TwoLaps made;
@@ -160,7 +160,7 @@ TwoLaps twoLaps(std::size_t lies) {
     made.problem.links.push_back(linkOf(k, k + kLap, {}, covarianceOf(0.1, 0.1, 0.02)));
   }
   RandomStream random(11);
-  for (std::size_t k = 0; k < lies; ++k) {
+  for (std::size_t k = 0; k < false_loops; ++k) {
     const std::size_t from = random.below(kLap - 20);
     const std::size_t to = from + 20 + random.below(kLap);
     made.problem.links.push_back(linkOf(from, to, {}, covarianceOf(0.1, 0.1, 0.02)));
@@ -177,9 +177,9 @@ OptimiserOptions redescending() {
 
 }  // namespace
 
-TEST_CASE("judged with the redescending loss, many lies are found out and no truth is lost") {
-  const std::size_t lies = GENERATE(0U, 3U, 8U, 15U, 30U);  // of 15 true ones
-  TwoLaps laps = twoLaps(lies);
+TEST_CASE("with the redescending loss false loops are rejected and no true loop is") {
+  const std::size_t false_loops = GENERATE(0U, 3U, 8U, 15U, 30U);  // of 15 true ones
+  TwoLaps laps = twoLaps(false_loops);
   const std::vector<PlanarPose> reckoned = laps.problem.nodes;
   const std::vector<PlanarPose> lonely = [] {
     TwoLaps honest = twoLaps(0);
@@ -189,8 +189,8 @@ TEST_CASE("judged with the redescending loss, many lies are found out and no tru
   REQUIRE(
       optimiseMultiStart(redescending(), reckoned, laps.problem.nodes, laps.problem.links).isOk());
   const std::size_t first = laps.truth.size() - 1;
-  INFO(lies << " lies");
-  for (std::size_t k = 0; k < laps.loops + lies; ++k) {
+  INFO(false_loops << " false loops");
+  for (std::size_t k = 0; k < laps.loops + false_loops; ++k) {
     const PlanarLink& link = laps.problem.links[first + k];
     const PlanarPose really = between(laps.truth[link.from], laps.truth[link.to]);
     if (std::hypot(really.x, really.y) < 3) continue;  // a lie that happens to be near the truth
@@ -200,7 +200,9 @@ TEST_CASE("judged with the redescending loss, many lies are found out and no tru
   CHECK(largestShift(laps.problem.nodes, lonely) < 0.2);
 }
 
-TEST_CASE("with twice as many lies as truths Huber's loss is pulled away, the judgement is not") {
+TEST_CASE(
+    "with twice as many false loops as true ones the redescending loss finds the map, Huber's does "
+    "not") {
   TwoLaps laps = twoLaps(30);
   TwoLaps judged = laps;
   const std::vector<PlanarPose> reckoned = laps.problem.nodes;
@@ -211,7 +213,7 @@ TEST_CASE("with twice as many lies as truths Huber's loss is pulled away, the ju
         1.5 * largestShift(judged.problem.nodes, laps.truth));
 }
 
-TEST_CASE("lies alone leave dead reckoning as it is") {
+TEST_CASE("false loops alone leave dead reckoning unchanged") {
   TwoLaps laps = twoLaps(30);
   const std::size_t first = laps.truth.size() - 1;
   auto& links = laps.problem.links;
@@ -222,7 +224,7 @@ TEST_CASE("lies alone leave dead reckoning as it is") {
   CHECK(largestShift(laps.problem.nodes, reckoned) < 0.5);
 }
 
-TEST_CASE("a search that will not come below its energy_bound is given up, one that will is not") {
+TEST_CASE("iterations stop early if, and only if, they cannot reach energy_bound") {
   const auto search = [](double energy_bound) {
     TwoLaps laps = twoLaps(30);
     OptimiserOptions options;  // Huber's loss takes some dozens of iterations

@@ -107,8 +107,8 @@ Eigen::Isometry3d noise(RandomStream& random, double metres, double radians) {
   return expSe3(twist);
 }
 
-/// Odometry sinks by 0.05 % of the way. Every `lie`th loop is told at a wrong place; 0: none.
-Finished drive(const Route& route, const char* geometry, int lie) {
+/// Odometry sinks by 0.05 % of the way. Every `false_every`th loop has a wrong place; 0: none.
+Finished drive(const Route& route, const char* geometry, int false_every) {
   Fixture fixture({{"space", std::string(geometry)}, {"interval", std::int64_t{5000}}});
   fixture.covariance = isotropic(0.01, 0.00005);
   RandomStream random(3);
@@ -129,7 +129,7 @@ Finished drive(const Route& route, const char* geometry, int lie) {
     }
     ++result.loops;
     const Eigen::Isometry3d offset = route.truth[there].inverse() * route.truth[k];
-    const bool lies = lie > 0 && result.loops % static_cast<std::size_t>(lie) == 0;
+    const bool lies = false_every > 0 && result.loops % static_cast<std::size_t>(false_every) == 0;
     if (lies) there = there / 2;
     while (there > 0 && route.earlier[there] != there) --there;
     fixture.closeMeasured(step, experience[there], offset * noise(random, 0.1, 0.01), 0.1);
@@ -155,22 +155,22 @@ Finished drive(const Route& route, const char* geometry, int lie) {
 
 TEST_CASE("laps and a grid of streets are mapped in space, with and without false loops") {
   for (const Route& route : {laps(220, 8), streets(11)}) {
-    for (const int lie : {0, 7}) {
-      const Finished map = drive(route, "space", lie);
+    for (const int false_every : {0, 7}) {
+      const Finished map = drive(route, "space", false_every);
       CAPTURE(map.loops, map.rejected, map.rmse, map.odometry);
       CHECK(map.loops > 100);
-      CHECK(map.rejected == (lie > 0 ? map.loops / 7 : 0));
+      CHECK(map.rejected == (false_every > 0 ? map.loops / 7 : 0));
       CHECK(map.rmse < 0.3);
     }
   }
 }
 
 TEST_CASE("drives that share no place are each mapped, and keep odometry's error between them") {
-  for (const int lie : {0, 7}) {
-    const Finished map = drive(copies(3), "space", lie);
+  for (const int false_every : {0, 7}) {
+    const Finished map = drive(copies(3), "space", false_every);
     CAPTURE(map.loops, map.rejected, map.rmse, map.odometry);
     CHECK(map.loops == 237);
-    CHECK(map.rejected == (lie > 0 ? map.loops / 7 : 0));
+    CHECK(map.rejected == (false_every > 0 ? map.loops / 7 : 0));
     CHECK(map.rmse < 0.5 * map.odometry);
   }
 }
@@ -178,11 +178,11 @@ TEST_CASE("drives that share no place are each mapped, and keep odometry's error
 namespace {
 
 void measureLastCorrection(const char* name, const Route& route) {
-  for (const int lie : {0, 7}) {
+  for (const int false_every : {0, 7}) {
     for (const char* geometry : {"plane", "space"}) {
-      const Finished map = drive(route, geometry, lie);
-      std::cout << name << ", " << (lie > 0 ? "one loop in seven false" : "all loops right") << ", "
-                << geometry << ": " << map.experiences << " experiences, " << map.loops
+      const Finished map = drive(route, geometry, false_every);
+      std::cout << name << ", " << (false_every > 0 ? "one loop in seven false" : "all loops right")
+                << ", " << geometry << ": " << map.experiences << " experiences, " << map.loops
                 << " loops, " << map.rejected << " rejected, finish() " << map.cpu_s
                 << " s CPU, RMSE " << map.rmse << " m (odometry " << map.odometry << ")"
                 << std::endl;

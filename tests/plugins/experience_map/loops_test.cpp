@@ -73,7 +73,7 @@ TEST_CASE("a loop that agrees with odometry moves nothing, now or later") {
 }
 
 TEST_CASE("motion around a loop decision is kept, never snapped or zeroed") {
-  // OpenRatSLAM would put the robot onto the old experience and forget the 3 m beside it.
+  // OpenRatSLAM would set the pose to that of the old experience, without the 3 m beside it.
   Fixture fixture;
   fixture.create(step(0));
   for (int k = 0; k < 10; ++k) fixture.stay(step(1));
@@ -96,7 +96,9 @@ TEST_CASE("motion around a loop decision is kept, never snapped or zeroed") {
   CHECK(graph.links[2].T_from_to.translation().z() == Approx(1).margin(0.1));
 }
 
-TEST_CASE("a drifting square is closed; in the plane its height, pitch and roll stay odometry's") {
+TEST_CASE(
+    "a drifting square is closed; in the plane its height, pitch and roll remain those of "
+    "odometry") {
   Fixture fixture({{"space", std::string("plane")}});
   const Eigen::Isometry3d lean = Eigen::Isometry3d(expSo3({0.05, 0, 0.03}));
   const auto leaning = [&](const Eigen::Isometry3d& T) { return lean.inverse() * T * lean; };
@@ -106,7 +108,7 @@ TEST_CASE("a drifting square is closed; in the plane its height, pitch and roll 
     const Eigen::Isometry3d drifting = leaning(squareStep(k) * step(0.01, 0.003));
     odometry.push_back(odometry.back() * drifting);
     Motion motion = fixture.motion(drifting);
-    motion.covariance = isotropic(0.05, 0.03);  // says honestly how much it drifts
+    motion.covariance = isotropic(0.05, 0.03);  // fits the actual drift
     Decision decision = fixture.decision(Action::Stay, fixture.current);
     if (k % 5 == 0) decision = fixture.decision(Action::CreateExperience, fixture.created++);
     if (k == 80) {

@@ -89,7 +89,7 @@ TEST_CASE("a revision of a frame that the map never saw is ignored, and said") {
   motion.revisions.push_back({40, step(3), motion.covariance});
   CHECK(fixture.feed(motion, fixture.decision(Action::Stay, 0)).version == 0);
   REQUIRE(fixture.host.log.size() == 1);
-  CHECK(fixture.host.log[0] == "ignored 1 revisions of motions that the map has not seen");
+  CHECK(fixture.host.log[0] == "ignored 1 revisions of frames that the map did not get");
 }
 
 }  // namespace tolman::experience_map

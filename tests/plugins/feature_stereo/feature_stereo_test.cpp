@@ -96,7 +96,7 @@ TEST_CASE("points of a keyframe have the street's depth") {
   CHECK(10 * wrong <= on_ground);  // one view alone cannot find every wrong match
 }
 
-TEST_CASE("standing still stays put") {
+TEST_CASE("a camera at rest has no motion") {
   Host host(test::streetRig());
   for (int k = 0; k < 8; ++k) {
     const Motion motion = host.track(again(streetFrames()[3], k));
@@ -170,7 +170,7 @@ TEST_CASE("when nothing is left to recognise, a new start goes on from the predi
   checkClose(next.T_previous_current, step, 0.03, 0.003);
 }
 
-TEST_CASE("a blind start waits for the first good pair") {
+TEST_CASE("odometry starts at the first pair with contrast") {
   Host host(test::streetRig());
   Frame blind = streetFrames()[0];
   blind.left = blind.right = filled(0);

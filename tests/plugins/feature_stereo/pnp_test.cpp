@@ -57,7 +57,7 @@ TEST_CASE("the pose is found among half wrong matches, from a wrong guess") {
   CHECK(estimate->inliers > 140);
 }
 
-TEST_CASE("the covariance tells the size of the errors") {
+TEST_CASE("the covariance fits the errors") {
   // Normalised squared errors of a 6-vector have the mean 6.
   RandomStream scene(2);
   const PnpSettings settings;

@@ -79,7 +79,7 @@ TEST_CASE("shifts, small turns and changes of scale are followed to a fraction o
   CHECK(all_astray <= 6);
 }
 
-TEST_CASE("a good guess spares the pyramid, a bad one is found out by it") {
+TEST_CASE("a good guess needs one pyramid level, a bad one is corrected on the coarser levels") {
   const cv::Mat image = texture(3);
   const cv::Matx23d motion(1, 0, 22, 0, 1, -9);
   const cv::Mat moved = warped(image, motion);
@@ -104,7 +104,7 @@ TEST_CASE("a good guess spares the pyramid, a bad one is found out by it") {
   CHECK(countGood(4, {0, 0}) > 0.8 * most);
 }
 
-TEST_CASE("corners of another image are not taken for tracks") {
+TEST_CASE("corners of a different image are not tracked") {
   const TrackSettings settings;
   std::size_t kept = 0;
   std::size_t all = 0;

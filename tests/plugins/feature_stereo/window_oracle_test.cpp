@@ -203,7 +203,7 @@ TEST_CASE("a refined window is the one that Ceres finds") {
   }
 }
 
-TEST_CASE("which observations fit, and what they tell, is that of single ones") {
+TEST_CASE("fits() agrees with the errors and information of single observations") {
   Window window = makeWindow(0.6, 0);
   thin(window);
   const std::vector<Landmark*> landmarks = landmarksOf(window);

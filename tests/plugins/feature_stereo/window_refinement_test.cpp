@@ -9,7 +9,7 @@
 using namespace tolman;
 using namespace tolman::feature_stereo;
 
-TEST_CASE("a disturbed window goes back to the truth") {
+TEST_CASE("refinement of perturbed poses and landmarks returns to the truth") {
   Window window = makeWindow(0, 0);
   disturb(window);
   RefinementSettings settings;
@@ -61,7 +61,7 @@ TEST_CASE("the same window gives the same bits, wherever it lies in memory") {
   CHECK(first.disparityOffset() == second.disparityOffset());
 }
 
-TEST_CASE("dropping the oldest keyframe drops what it alone saw") {
+TEST_CASE("dropping the oldest keyframe drops the landmarks that only it saw") {
   Window window;
   window.addKeyframe({0, truePose(0)});
   window.addKeyframe({3, truePose(1)});

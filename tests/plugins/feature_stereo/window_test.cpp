@@ -65,7 +65,7 @@ TEST_CASE("landmarks live as long as a keyframe of the window sees them") {
   CHECK(ever.size() > 300);
 }
 
-TEST_CASE("a landmark that is not there is found to be missing, not made") {
+TEST_CASE("find() of an unknown landmark returns null and does not create one") {
   Window window;
   window.addKeyframe(keyframe(3));
   const std::int64_t id = window.addLandmark(seenBy({3}));

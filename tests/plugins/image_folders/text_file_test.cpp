@@ -92,6 +92,9 @@ TEST_CASE("a byte order mark before the first line is no part of it, and elsewhe
 
 TEST_CASE("numbers fill their field and are finite") {
   CHECK(parseNumber("-3.798145000000e+02") == -379.8145);
+  CHECK(parseNumber("+1.5") == 1.5);
+  CHECK(parseNumber("1e-400") == std::nullopt);  // not silently 0
+  CHECK(parseNumber("+") == std::nullopt);
   for (const char* text : {"", "nan", "inf", "-inf", "1e999", "1.0x", "+-1", "one"}) {
     CAPTURE(text);
     CHECK(parseNumber(text) == std::nullopt);

@@ -67,7 +67,7 @@ TEST_CASE("mutual and global inhibition by hand") {
   CHECK(cells.disagreement() == Approx(4 - 1.535714).epsilon(1e-5));
 }
 
-TEST_CASE("how much of the disagreement is taken over after n injections") {
+TEST_CASE("share of the disagreement that is corrected after n injections") {
   const auto check = [](const std::vector<double>& got, const std::vector<double>& expected) {
     const std::vector<std::size_t> n = {1, 2, 3, 4, 5, 6, 8, 10};
     for (std::size_t i = 0; i < n.size(); ++i) {
@@ -79,13 +79,13 @@ TEST_CASE("how much of the disagreement is taken over after n injections") {
   check(shares(network(0.20, 0.20), 10), {.18, .37, .57, .79, 1., 1., 1., 1.});
 }
 
-TEST_CASE("how soon a false burst is forgotten") {
+TEST_CASE("decay of calibration energy after a run of false views") {
   for (const auto& [n, weak, strong] :
        {std::tuple{1, 7, 1}, std::tuple{2, 17, 3}, std::tuple{3, 31, 5}, std::tuple{4, 50, 8}}) {
     CHECK(recovery(network(0.05, 0), n) == weak);
     CHECK(recovery(network(0.20, 0), n) == strong);
   }
-  // Symmetric inhibition has two stable states: beyond a share of one half it never forgets.
+  // Symmetric inhibition has two stable states: beyond a share of one half it never decays.
   CHECK(recovery(network(0.20, 0.20), 1) == 2);
   CHECK(recovery(network(0.20, 0.20), 2) == 4);
   CHECK(recovery(network(0.20, 0.20), 3) == 1000);

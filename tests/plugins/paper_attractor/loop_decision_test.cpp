@@ -25,13 +25,13 @@ void driveOut(PaperAttractor& plugin) {
   }
 }
 
-/// From x = 95 m back to x = 0, say odometry and truth; but odometry has drifted by (-8, 6) m.
+/// From x = 95 m back to x = 0, by odometry and truth; but odometry has drifted by (-8, 6) m.
 void carryBack(PaperAttractor& plugin) { step(plugin, motionOf({-95 - 8, 6, 0}, 20), nothing()); }
 
 }  // namespace
 
-TEST_CASE("the planted loop: three views decide, and by how much") {
-  // The robot stands at template 0 (0, 0) but believes to be at (-8, 6) m = (-0.8, 0.6) cells:
+TEST_CASE("a loop is closed at the third familiar view; shares by hand") {
+  // The robot stands at template 0 (0, 0) but its estimate is (-8, 6) m = (-0.8, 0.6) cells:
   // 1 cell off. Views 0, 1, 2 at 0, 5, 10 m inject phases (0,0), (.5,0), (1,0), each consistent
   // with the calibration that has moved along by 0.5 cell (gate 0.3). Shares: .18, .37, .575 > 0.5,
   // and the estimate is (1 - .575) * 1 = 0.425 cell from the calibration: less than 0.5. Decision

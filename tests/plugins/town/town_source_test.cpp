@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <sstream>
 
 #include "support/context.hpp"
 #include "support/data.hpp"
@@ -66,6 +67,18 @@ std::string refusal(const ParameterValues& values) {
 }
 
 }  // namespace
+
+TEST_CASE("an inspection tells the way of the camera, in a hall too") {
+  TestContext context({{"scale", 0.2}, {"route", std::string("hall")}});
+  TownSource source;
+  REQUIRE(source.configure(context).isOk());
+  std::vector<Finding> findings;
+  REQUIRE(source.inspect(findings).isOk());
+  REQUIRE_FALSE(findings.empty());
+  double metres = 0;
+  std::istringstream(findings[0].message.substr(findings[0].message.find("over ") + 5)) >> metres;
+  CHECK(metres == Approx(52).margin(6));  // as of the walk itself, hall_test.cpp
+}
 
 TEST_CASE("frames come as announced, with stereo images, rising stamps and truth") {
   const Drive d = drive({});

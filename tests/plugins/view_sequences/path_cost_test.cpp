@@ -64,7 +64,7 @@ class Naive {
   std::vector<std::pair<std::int64_t, std::int64_t>> links_;
 };
 
-/// Both, told the same.
+/// The implementation and the oracle, with the same calls.
 struct Pair {
   explicit Pair(Direction direction = Direction::Forwards)
       : cost({kSettings.memory, kSettings.penalty, kSettings.offset, direction}),

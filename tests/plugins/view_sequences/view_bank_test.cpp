@@ -15,7 +15,7 @@ using namespace tolman::view_sequences::test;
 
 namespace {
 
-constexpr std::int64_t kChunk = 64;  // views, as view_bank.hpp tells
+constexpr std::int64_t kChunk = 64;  // views, as in view_bank.hpp
 
 /// Passes of so many views; the views of each pass are brighter than those of the one before.
 ViewBank bankOf(const std::vector<int>& passes, std::vector<EdgeValues>& views,

@@ -92,6 +92,10 @@ class Trajectory(tolman.Source):
         return self._read_nwb() if self.path.suffix == ".nwb" else self._read_csv()
 
     def _read_csv(self):
+        with open(self.path, "rb") as file:
+            begin = file.read(4096)
+        if begin.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in begin:
+            raise tolman.InvalidInput(f"{self.path}: is no text in UTF-8 but has zero bytes, as UTF-16 has; save it as UTF-8")
         with open(self.path, newline="", encoding="utf-8-sig") as file:
             rows = list(csv.DictReader(file))
         try:

@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/predicted_way.hpp"
+#include "pipeline/predicted_span.hpp"
 
 #include <cmath>
 
 namespace tolman::pipeline {
 
-void PredictedWay::add(const Motion& prediction) {
+void PredictedSpan::add(const Motion& prediction) {
   T_answered_given_ = normalised(T_answered_given_ * prediction.T_previous_current);
   predicted_ = true;
   given_ns_ = prediction.stamp_ns;
 }
 
-void PredictedWay::takeOut(Motion& motion) {
+void PredictedSpan::subtractFrom(Motion& motion) {
   const double since_given = 1e-9 * static_cast<double>(motion.stamp_ns - given_ns_);
   const double since_answered = 1e-9 * static_cast<double>(motion.stamp_ns - answered_ns_);
+  // A dt above the geometric mean of the two times is nearer to the time since the last answer.
   const bool spans = predicted_ && motion.state != TrackingState::Initialising &&
-                     motion.dt * motion.dt > since_given * since_answered;  // above geometric mean
+                     motion.dt * motion.dt > since_given * since_answered;
   if (spans) {
     motion.T_previous_current = normalised(T_answered_given_.inverse() * motion.T_previous_current);
     setPlanarVelocity(motion, since_given);
-    taken_out_.emplace(motion.frame, T_answered_given_);
+    subtracted_.emplace(motion.frame, T_answered_given_);
   }
   T_answered_given_.setIdentity();
   predicted_ = false;
   given_ns_ = answered_ns_ = motion.stamp_ns;
 }
 
-void PredictedWay::takeOut(MotionRevision& revision) const {
-  const auto found = taken_out_.find(revision.frame);
-  if (found == taken_out_.end()) return;
+void PredictedSpan::subtractFrom(MotionRevision& revision) const {
+  const auto found = subtracted_.find(revision.frame);
+  if (found == subtracted_.end()) return;
   revision.T_previous_current = normalised(found->second.inverse() * revision.T_previous_current);
 }
 

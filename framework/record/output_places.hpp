@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where commands may write: not through links into other folders, not into the folders of a run,
+// and several files only if each of them can be written.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tolman/status.hpp"
+
+namespace tolman::record {
+
+/// Folders of a run directory whose files belong to the run alone.
+inline constexpr std::array<std::string_view, 3> kRunFolders = {"figures", "artefacts", "state"};
+
+/// The one path of a file that need not exist: absolute, without dots, links followed.
+std::filesystem::path truePath(const std::filesystem::path& path);
+
+/// Failed if one of these folders in `directory` is a symbolic link: files would be removed and
+/// written in another folder.
+Status refuseLinks(const std::filesystem::path& directory,
+                   std::span<const std::string_view> folders);
+
+/// Failed if one of the files is a folder. `option`: what chose them, for the remedy.
+Status refuseFolders(const std::vector<std::filesystem::path>& files, const std::string& option);
+
+/// The run directory in which the path lies, at any depth; empty if in none, or if it is one.
+std::optional<std::filesystem::path> runAround(const std::filesystem::path& path);
+
+/// Failed if the path lies in a folder of a run (kRunFolders), or is one.
+Status refuseRunFolders(const std::filesystem::path& path, const std::string& option);
+
+struct OutputFile {
+  std::filesystem::path path;
+  std::string bytes;
+};
+
+/// Writes all files by writeOutput(); none if one is a folder, or if a folder is missing or
+/// read-only.
+Status writeTogether(const std::vector<OutputFile>& files, const std::string& option);
+
+}  // namespace tolman::record

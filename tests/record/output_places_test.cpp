@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/output_places.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "record/run_directory.hpp"
+#include "support/data.hpp"
+
+namespace tolman::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+void put(const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << "before";
+}
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Restores the working directory.
+struct Inside {
+  explicit Inside(const fs::path& folder) { fs::current_path(folder); }
+  ~Inside() { fs::current_path(before); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+  fs::path before = fs::current_path();
+};
+
+}  // namespace
+
+TEST_CASE("one file has one path, also before it exists") {
+  const test::TemporaryFolder scratch;
+  const fs::path folder = fs::canonical(scratch.path());
+  fs::create_directory_symlink(folder, folder / "link");
+  const Inside inside(folder);
+  for (const char* name : {"f.svg", "./f.svg", "link/f.svg", "none/../f.svg", "./link/./f.svg"}) {
+    CHECK(truePath(name) == folder / "f.svg");
+  }
+  CHECK(truePath(folder / "f.svg") == folder / "f.svg");
+  CHECK(truePath("run/") == folder / "run");
+  CHECK(truePath(".") == folder);
+}
+
+TEST_CASE("if one file cannot be written, none is") {
+  const test::TemporaryFolder folder;
+  const fs::path first = folder.path() / "a.txt";
+  put(first);
+  fs::create_directory(folder.path() / "b.txt");
+  const Status is_folder =
+      writeTogether({{first, "new"}, {folder.path() / "b.txt", "new"}}, "--out");
+  CHECK(is_folder.message() ==
+        (folder.path() / "b.txt").string() +
+            ": is a folder, and a file is to be written there; remove it, or "
+            "choose another --out");
+  CHECK(contentOf(first) == "before");
+  const Status no_folder =
+      writeTogether({{first, "new"}, {folder.path() / "none/b.txt", "new"}}, "--out");
+  CHECK(no_folder.message().find("its folder cannot be opened") != std::string::npos);
+  CHECK(contentOf(first) == "before");
+  CHECK(writeTogether({{first, "new"}, {folder.path() / "c.txt", "new"}}, "--out").isOk());
+  CHECK(contentOf(first) == "new");
+}
+
+TEST_CASE("the folders of a run are its own, at any depth and through links") {
+  const test::TemporaryFolder scratch;
+  const fs::path folder = fs::canonical(scratch.path());
+  put(folder / "run/run.sqlite");
+  fs::create_directory(folder / "run/state");
+  fs::create_directory_symlink(folder / "run/state", folder / "link");
+  CHECK(runAround(folder / "run/state/deep/x") == folder / "run");
+  CHECK_FALSE(runAround(folder / "run"));
+  CHECK_FALSE(runAround(folder / "other"));
+  for (const char* place :
+       {"run/state", "run/figures/x.svg", "run/artefacts/a/b", "link", "link/x"}) {
+    CAPTURE(place);
+    CHECK_FALSE(refuseRunFolders(folder / place, "--out").isOk());
+  }
+  for (const char* place : {"run", "run/mine/x.svg", "run/x.svg", "state/x", "figures"}) {
+    CAPTURE(place);
+    CHECK(refuseRunFolders(folder / place, "--out").isOk());
+  }
+}
+
+TEST_CASE("no files of one run in another, nor a new run in the folders of one") {
+  const test::TemporaryFolder folder;
+  const fs::path one = folder.path() / "one";
+  const fs::path other = folder.path() / "other";
+  put(one / "run.sqlite");
+  put(other / "run.sqlite");
+  CHECK(
+      RunDirectory::mayTakeFilesOf(one, other / "figures").message().find("lies in another run") !=
+      std::string::npos);
+  CHECK_FALSE(RunDirectory::mayTakeFilesOf(one, other / "mine").isOk());
+  CHECK_FALSE(RunDirectory::mayTakeFilesOf(one, one / "state").isOk());
+  CHECK(RunDirectory::mayTakeFilesOf(one, one / "mine").isOk());
+  CHECK(RunDirectory::mayTakeFilesOf(one, folder.path() / "mine").isOk());
+  CHECK_FALSE(RunDirectory::mayTake(other / "state", false).isOk());
+  RunDirectoryOptions options;
+  options.out = other / "figures/new";
+  CHECK_FALSE(RunDirectory::create(options).isOk());
+  CHECK_FALSE(fs::exists(other / "figures"));
+}
+
+}  // namespace tolman::record
