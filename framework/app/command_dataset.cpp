@@ -13,6 +13,7 @@
 #include "app/terminal_output.hpp"
 #include "config/check.hpp"
 #include "config/overrides.hpp"
+#include "host/guard.hpp"
 #include "host/stage_artefacts.hpp"
 #include "imaging/pair_survey.hpp"
 #include "pipeline/rectified_source.hpp"
@@ -135,6 +136,9 @@ ExitCode inspect(pipeline::RectifiedSource source, const ParameterValues& values
   const Status inspected = source.inspect(findings);
   if (configured.isOk()) surveyPairs(source, findings);
   if (configured.isOk() && decode) decodeAll(source, findings);
+  for (const Status& status : {configured, inspected}) {
+    if (host::isOutOfMemory(status)) return printFailure(ExitCode::Internal, status.message());
+  }
   const bool sound = print(findings, invocation.json);
   if (!sound) return ExitCode::Dataset;  // the findings say why configure() failed
   for (const Status& status : {configured, inspected}) {

@@ -104,6 +104,8 @@ std::string initText(const fs::path& recording, const RecordingSearch& search, C
   text += "# " + probe.description + "\n";
   const std::string unknown = notKnown(probe, search, told, used);
   if (!unknown.empty()) text += "# Not known:\n" + unknown;
+  if (!probe.warnings.empty()) text += "# Warnings:\n";
+  for (const std::string& warning : probe.warnings) text += "#   - " + warning + "\n";
   for (const std::string& other : search.others)
     text += "# Read also by the source " + other + ".\n";
   const fs::path name = recording.has_filename() ? recording : recording.parent_path();

@@ -13,6 +13,7 @@
 
 #include "app/terminal_output.hpp"
 #include "config/json_text.hpp"
+#include "host/guard.hpp"
 #include "isolation/child_process.hpp"
 #include "isolation/plugin_process.hpp"
 #include "record/atomic_file.hpp"
@@ -55,7 +56,8 @@ void probeSource(const std::string& config, const Invocation& invocation) {
                                        {"calibrated", info.rig.calibrated},
                                        {"baseline", info.rig.baseline},
                                        {"has_truth", info.has_truth},
-                                       {"rate", seconds > 0 ? (frames - 1) / seconds : 0}};
+                                       {"rate", seconds > 0 ? (frames - 1) / seconds : 0},
+                                       {"warnings", log.keptWarnings()}};
   std::cout << "\n" << config::jsonText(json) << "\n" << std::flush;
 }
 
@@ -86,6 +88,7 @@ std::optional<Probe> readProbe(const std::string& output) {
   probe.baseline = json.value("baseline", 0.0);
   probe.has_truth = json.value("has_truth", false);
   probe.rate = json.value("rate", 0.0);
+  probe.warnings = json.value("warnings", std::vector<std::string>());
   return probe;
 }
 
@@ -135,6 +138,10 @@ Result<Probe> probe(const std::string& plugin, const SourceValues& values,
     throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
   }
   const std::string printed = contentOf(output.number());
+  if (end.exit_code == static_cast<int>(ExitCode::Internal) &&
+      host::isOutOfMemory(Status::failed(lastLine(printed)))) {
+    throw std::bad_alloc();
+  }
   // Messages of the source itself begin with "source (ID), configure: "; others are of the host.
   const std::string said = lastLine(printed);
   const std::string prefix = "source (" + plugin + "), ";

@@ -29,7 +29,8 @@ struct Probe {
   bool calibrated = false;
   double baseline = 0;  ///< m; 0: one camera
   bool has_truth = false;
-  double rate = 0;  ///< Hz, of the first frames
+  double rate = 0;                    ///< Hz, of the first frames
+  std::vector<std::string> warnings;  ///< of the source: "source: its text"
 
   /// Calibrated pairs before single cameras, before uncalibrated ones, before no images.
   int rank() const { return (width > 0 ? 1 : 0) + (calibrated ? 2 : 0) + (baseline > 0 ? 2 : 0); }

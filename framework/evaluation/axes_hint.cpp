@@ -187,4 +187,29 @@ std::string unitHint(const Matches& matches) {
       truth / estimate);
 }
 
+std::string scaleHint(const Matches& matches) {
+  constexpr double kFactor = 1.5;      // odometry drifts by less; chosen, not tuned
+  constexpr double kAgreement = 0.02;  // of the true path; chosen, not tuned
+  constexpr double kMin = 1;           // m; shorter paths say nothing
+  const double truth = pathLength(matches.truth);
+  if (truth < kMin) return "";
+  const Result<Similarity> similarity = align(matches, Alignment::Sim3);
+  if (!similarity.isOk()) return "";
+  const double scale = similarity.value().scale;
+  if (scale < kFactor && scale * kFactor > 1) return "";
+  const Matches scaled = aligned(matches, similarity.value());
+  double squares = 0;
+  for (std::size_t i = 0; i < scaled.truth.size(); ++i) {
+    squares += (scaled.truth[i].T_world_camera.translation() -
+                scaled.estimate[i].T_world_camera.translation())
+                   .squaredNorm();
+  }
+  const double error = std::sqrt(squares / static_cast<double>(scaled.truth.size()));
+  if (!(error < kAgreement * truth)) return "";
+  return fmt::format(
+      "the estimate is the true path but for its scale: multiplied by {:.3g} it agrees within "
+      "{:.2g} m; are the baseline of the cameras and the units of both paths right?",
+      scale, error);
+}
+
 }  // namespace tolman::evaluation

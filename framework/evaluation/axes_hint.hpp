@@ -37,4 +37,9 @@ std::string upHint(const Trajectory& truth);
 /// than two thirds of a true path of 1 m or more, or does not move; else empty.
 std::string unitHint(const Matches& matches);
 
+/// A warning if the estimate agrees with the truth but for its scale, by a factor of more than 1.5
+/// and within 2 % of the true path, as with a wrong baseline; else empty. An estimate that is only
+/// poor agrees at no scale.
+std::string scaleHint(const Matches& matches);
+
 }  // namespace tolman::evaluation

@@ -197,6 +197,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
+  if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);
   if (metrics.warning.empty()) metrics.warning = rotationHint(pairs);
   scores.rpe_frame = relativeErrorOverFrames(pairs);
   scores.rpe_metre = relativeErrorOverDistance(pairs);

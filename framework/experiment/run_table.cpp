@@ -48,6 +48,12 @@ Result<RunRow> readRun(const fs::path& directory) {
   row.directory = directory;
   std::ifstream stream = record::openRegular(directory / "metrics.json");
   const Json metrics = Json::parse(stream, nullptr, false);
+  std::error_code ignored;
+  if (!metrics.is_object() && fs::exists(directory / "points.txt", ignored)) {
+    return Status::invalidInput(directory.string() +
+                                ": is a sweep of which no run has ended, so there is nothing to "
+                                "compare; run it again");
+  }
   if (!metrics.is_object()) {
     return Status::invalidInput(
         (directory / "metrics.json").string() + ": " +

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "imaging/brightness.hpp"
 #include "imaging/stereo_check.hpp"
 
 namespace tolman::imaging {
@@ -32,6 +33,7 @@ int countOf(double share, int all) { return static_cast<int>(std::lround(share *
 void PairSurvey::add(const Frame& frame) {
   if (frame.left.empty() || frame.right.empty()) return;
   ++pairs_;
+  brightest_ = std::max(brightest_, brightest(frame.left));
   const GrayHalf left = grayHalf(frame.left);
   const GrayHalf right = grayHalf(frame.right);
   const StereoMeasure measure = measureStereo(left, right);
@@ -54,6 +56,14 @@ std::vector<Finding> PairSurvey::findings() const {
                          left ? "left" : "right")}};
   }
   if (pairs_ == 0) return {};
+  if (rows_.size() < kMinMatches && brightest_ < kNearlyBlack) {
+    return {{Severity::Warning, "pairs",
+             fmt::format("only {} corners matched in {} pairs, too few to judge them: the images "
+                         "are nearly black, with no grey level above {} of 255; if their files "
+                         "have 16 bits of which the camera uses fewer, set bits, otherwise expose "
+                         "them longer",
+                         matches, pairs_, brightest_)}};
+  }
   if (rows_.size() < kMinMatches) {
     return {{Severity::Warning, "pairs",
              fmt::format("only {} corners matched in {} pairs, too few to judge them; if they are "

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <exception>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -198,9 +199,18 @@ int exitCodeOfException() noexcept {
   }
 }
 
+/// An exception cannot leave a static constructor of a library, but ends the process. Where memory
+/// or threads are lacking, the host learns that by the exit code instead of blaming the library.
+[[noreturn]] void endByException() noexcept {
+  const int code = std::current_exception() ? exitCodeOfException() : 70;
+  if (code != 70) ::_exit(code);
+  std::abort();
+}
+
 }  // namespace
 
 void runPluginProcess(const std::vector<int>& descriptors, const ProcessServices& services) {
+  std::set_terminate(endByException);
   try {
     PluginProcess(descriptors, services).run();
   } catch (...) {  // the host detects that this process ended

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "imaging/brightness.hpp"
 #include "pipeline/task_isolation.hpp"
 
 namespace tolman::pipeline {
@@ -113,7 +114,11 @@ bool Chain::acceptMotion(FrameRecords& records) {
 
 void Chain::reportImpossible(std::int64_t frame, const std::string& text) {
   ++counters_.impossible;
-  listener_.onEvent({frame, LogLevel::Warning, "odometry", text});
+  const FailureTally::Report report = failures_.count("impossible motions");
+  if (report == FailureTally::Report::No) return;
+  const char* last =
+      report == FailureTally::Report::Last ? "; further ones are counted, not reported" : "";
+  listener_.onEvent({frame, LogLevel::Warning, "odometry", text + last});
 }
 
 bool Chain::acceptObservation(FrameRecords& records) {
@@ -244,6 +249,7 @@ void Chain::count(const FrameRecords& records) {
   if (lost) ++counters_.lost;
   if (records.motion.state == TrackingState::Initialising) ++counters_.initialising;
   const bool tracking = records.motion.state == TrackingState::Tracking;
+  if (!tracking && imaging::isNearlyBlack(records.frame.left)) ++counters_.nearly_black;
   const auto& motion = records.motion.T_previous_current.matrix();
   if (tracking && motion == Eigen::Matrix4d::Identity()) ++counters_.unmoved;
   if (lost != counters_.lost_at_end) {

@@ -11,12 +11,17 @@ inline constexpr std::string_view kNeverTracked =
     "no motion in the whole run; are the images rectified, and left and right not exchanged? see "
     "`tolman dataset check`";
 
+inline constexpr std::string_view kNearlyBlack =
+    "no motion in the whole run: the images are nearly black, with no grey level above 63 of 255; "
+    "if their files have 16 bits of which the camera uses fewer, set source.bits, see log.txt; "
+    "otherwise expose them longer";
+
 inline constexpr std::string_view kOneFrame =
     "no motion in the whole run: it has one frame, and motion is found between two; take more";
 
 inline constexpr std::string_view kMostlyImpossible =
     "no motion in the whole run: most motions exceed the limits of `checks`, see log.txt; correct "
-    "the limits, or the time stamps or the frame rate of the source";
+    "the limits, or the time stamps, the frame rate or the units of the source";
 
 inline constexpr std::string_view kStoodStill =
     "no motion in the whole run: odometry answered exactly zero at each frame; if the camera "
@@ -32,6 +37,7 @@ struct RunCounters {
   std::int64_t defects = 0;     ///< frames whose images are missing or faulty (Frame::defect)
   std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
   std::int64_t lost = 0;            ///< frames with odometry lost
+  std::int64_t nearly_black = 0;    ///< frames without tracking, see imaging::isNearlyBlack()
   std::int64_t unmoved = 0;         ///< tracked frames whose motion is exactly zero
   std::int64_t place_left_out = 0;  ///< realtime: frames without place recognition
   std::int64_t templates = 0;       ///< with those of earlier sessions
@@ -51,6 +57,7 @@ struct RunCounters {
     visit("defects", self.defects);
     visit("initialising", self.initialising);
     visit("lost", self.lost);
+    visit("nearly_black", self.nearly_black);
     visit("unmoved", self.unmoved);
     visit("place_left_out", self.place_left_out);
     visit("templates", self.templates);
@@ -68,6 +75,7 @@ struct RunCounters {
   std::string_view neverTrackedText() const {
     if (frames == 1) return kOneFrame;
     if (2 * impossible > frames) return kMostlyImpossible;
+    if (2 * nearly_black > frames) return kNearlyBlack;
     return unmoved > 0 ? kStoodStill : kNeverTracked;
   }
 };

@@ -9,10 +9,12 @@
 
 #include <cerrno>
 #include <ctime>
+#include <span>
 #include <system_error>
 
 #include "config/json_text.hpp"
 #include "config/paths.hpp"
+#include "record/descriptor_limit.hpp"
 #include "record/output_places.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_files.hpp"
@@ -56,6 +58,10 @@ void pointLatestAt(const fs::path& path) {
   fs::remove(temporary, ignored);
   fs::create_directory_symlink(path.filename(), temporary, ignored);
   fs::rename(temporary, link, ignored);
+}
+
+FileDescriptor spareDescriptor() {
+  return FileDescriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC));
 }
 
 Status cannotBeMade(const fs::path& path, const std::error_code& why) {
@@ -121,6 +127,9 @@ Result<RunDirectory> RunDirectory::reopen(const fs::path& path) {
 
 Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string& remedy) {
   FileDescriptor descriptor = lockFolder(path);
+  if (!descriptor.isOpen() && isDescriptorLimit(errno)) {
+    return Status::failed(path.string() + ": cannot be opened" + kMoreDescriptors);
+  }
   if (!descriptor.isOpen() && ::access(path.c_str(), R_OK | W_OK | X_OK) != 0) {
     return Status::failed(path.string() + ": " + std::generic_category().message(errno) +
                           "; look at its permissions and at the umask");
@@ -128,7 +137,9 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string&
   if (!descriptor.isOpen()) {
     return Status::failed(path.string() + kBusy + remedy);
   }
-  return RunDirectory(path, std::move(descriptor));
+  RunDirectory directory(path, std::move(descriptor));
+  directory.spare_ = spareDescriptor();
+  return directory;
 }
 
 Status RunDirectory::mayTakeFilesOf(const fs::path& run, const fs::path& folder) {
@@ -202,9 +213,13 @@ Status RunDirectory::removeDerived() const {
 
 Status RunDirectory::writeRunFile(nlohmann::ordered_json provenance, RunState state) const {
   provenance["status"] = enumName(state);
-  const std::string text = config::jsonText(provenance, 2);
-  const fs::path held = "/proc/self/fd/" + std::to_string(lock_.number());
-  return writeAtomically((stillInPlace().isOk() ? path_ : held) / "run.json", text + "\n");
+  const std::string text = config::jsonText(provenance, 2) + "\n";
+  spare_ = FileDescriptor(-1);
+  const Status written =
+      writeAtomicallyAt(lock_, "run.json", std::as_bytes(std::span(text.data(), text.size())),
+                        (path_ / "run.json").string(), Sync::Yes);
+  spare_ = spareDescriptor();
+  return written;
 }
 
 }  // namespace tolman::record

@@ -76,6 +76,8 @@ class RunDirectory {
 
   std::filesystem::path path_;
   FileDescriptor lock_;
+  /// Open only so that run.json can be written where no further file can be opened.
+  mutable FileDescriptor spare_{-1};
   std::vector<std::filesystem::path> kept_;
 };
 

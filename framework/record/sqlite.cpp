@@ -5,6 +5,7 @@
 
 #include <system_error>
 
+#include "record/descriptor_limit.hpp"
 #include "record/file_size_limit.hpp"
 
 namespace tolman::record {
@@ -47,6 +48,9 @@ Status explained(const std::string& where, const SQLite::Exception& error) {
   const int code = error.getErrorCode();
   const bool write_failed = code == SQLITE_FULL || code == SQLITE_IOERR || code == SQLITE_CANTOPEN;
   const bool damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
+  if (code == SQLITE_CANTOPEN && areDescriptorsShort()) {
+    return Status::failed(where + ": " + error.what() + kMoreDescriptors);
+  }
   return {damaged ? StatusCode::InvalidInput : StatusCode::Failed,
           where + ": " + error.what() + remedy(code) + (write_failed ? fileSizeLimit() : "")};
 }

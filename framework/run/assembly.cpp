@@ -124,8 +124,8 @@ std::string Assembly::stageName(Role role) const {
 
 Failure Assembly::failureOf(const pipeline::StageFailure& failure) const {
   const bool data = failure.role == Role::Source;
-  return {data ? FailureKind::Dataset : FailureKind::Stage, failure.status.message(),
-          stageName(failure.role)};
+  return {kindOf(failure.status, data ? FailureKind::Dataset : FailureKind::Stage),
+          failure.status.message(), stageName(failure.role)};
 }
 
 pipeline::Policies Assembly::policies() const {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "host/guard.hpp"
 #include "host/refusal.hpp"
 #include "tolman/status.hpp"
 
@@ -22,9 +23,9 @@ enum class FailureKind : std::uint8_t {
   Plugin,         ///< a plugin cannot be loaded, created or configured
   Dataset,        ///< the data of the source are missing, damaged or inconsistent
   Stage,          ///< a plugin failed during the run
-  Record,         ///< the run directory or the record in it cannot be written
+  Record,         ///< the run directory, the record in it or a temporary file cannot be written
   Continuation,   ///< the map of an earlier run cannot be continued
-  Machine,        ///< no process or thread can be started
+  Machine,        ///< no process or thread can be started, or memory is short
   Interrupted,    ///< cancelled while the plugins were configured
 };
 inline constexpr std::array<std::string_view, 8> kFailureKindNames = {
@@ -45,7 +46,16 @@ struct Failed : std::runtime_error {
 };
 
 inline FailureKind kindOf(const host::Refusal& refusal) {
-  return refusal.id == host::kNoProcess ? FailureKind::Machine : FailureKind::Plugin;
+  const bool is_short = host::isOutOfMemory(Status::failed(refusal.message));
+  return refusal.id == host::kNoProcess || is_short ? FailureKind::Machine : FailureKind::Plugin;
+}
+
+/// The kind of a plugin's failed call: `usual`, unless memory or a folder for temporary files was
+/// lacking. Messages on that folder name TMPDIR, the variable that chooses it.
+inline FailureKind kindOf(const Status& status, FailureKind usual) {
+  if (host::isOutOfMemory(status)) return FailureKind::Machine;
+  const bool no_folder = status.message().find("TMPDIR") != std::string::npos;
+  return no_folder ? FailureKind::Record : usual;
 }
 
 [[noreturn]] inline void refuseToContinue(const std::string& message) {
@@ -54,7 +64,7 @@ inline FailureKind kindOf(const host::Refusal& refusal) {
 
 // Each returns the value, or throws Failed where there is none.
 inline void require(const Status& status, FailureKind kind, const std::string& stage = {}) {
-  if (!status.isOk()) throw Failed({kind, status.message(), stage});
+  if (!status.isOk()) throw Failed({kindOf(status, kind), status.message(), stage});
 }
 template <class T>
 T require(Result<T> result, FailureKind kind) {

@@ -79,7 +79,8 @@ void removeCheckpointsBut(const fs::path& folder, std::int64_t frame) {
 std::optional<Failure> saveState(Assembly& assembly, const fs::path& directory,
                                  const SessionProgress& progress) {
   const Result<std::map<Role, std::string>> states = savedStates(assembly);
-  if (!states.isOk()) return Failure{FailureKind::Stage, states.status().message()};
+  if (!states.isOk())
+    return Failure{kindOf(states.status(), FailureKind::Stage), states.status().message()};
   if (states.value().empty()) return std::nullopt;
   const Status status = writeStates(assembly, sessionFile(directory), "", states.value(),
                                     {{"frames", progress.frames},

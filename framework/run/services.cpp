@@ -10,7 +10,6 @@
 #include <csignal>
 #include <cstdio>
 #include <mutex>
-#include <vector>
 
 #include "run/terminal.hpp"
 
@@ -100,6 +99,15 @@ Status RunLog::openFile(const std::filesystem::path& file, Open open) {
   implementation_->backlog.clear();
   implementation_->file = std::move(logger);
   return implementation_->status;
+}
+
+std::vector<std::string> RunLog::keptWarnings() const {
+  const std::lock_guard lock(implementation_->mutex);
+  std::vector<std::string> texts;
+  for (const auto& line : implementation_->backlog) {
+    if (line.level >= LogLevel::Warning) texts.push_back(line.text);
+  }
+  return texts;
 }
 
 Status RunLog::status() const {

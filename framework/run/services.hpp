@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "tolman/context.hpp"
 
@@ -24,6 +25,8 @@ class RunLog {
              bool on_terminal = true);
   enum class Open : bool { Fresh, Append };
   Status openFile(const std::filesystem::path& file, Open open = Open::Fresh);
+  /// The warnings and errors from before the file is opened, as "STAGE: text".
+  std::vector<std::string> keptWarnings() const;
   /// Fails if the file could not be opened or does not have all lines.
   Status status() const;
 

@@ -88,6 +88,13 @@ TEST_CASE("the text has the source, the stages, and what is not known") {
   CHECK_THAT(textOf(singleOf(640, 480)), Contains("arbitrary units"));
 }
 
+TEST_CASE("what the source warns of is told") {
+  CHECK_THAT(textOf(pairOf(0.11)), !Contains("Warnings"));
+  Probe dark = pairOf(0.11);
+  dark.warnings = {"source: images: set source.bits=10"};
+  CHECK_THAT(textOf(dark), Contains("# Warnings:\n#   - source: images: set source.bits=10\n"));
+}
+
 TEST_CASE("a camera is read in real time") {
   CHECK_THAT(textOf(pairOf(0.11), CarriedBy::Hand, "/dev/null"),
              Contains("\npipeline:\n  mode: realtime "));

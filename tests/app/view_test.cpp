@@ -91,6 +91,27 @@ std::vector<double> column(const Container& history, const nlohmann::json& hello
 
 }  // namespace
 
+TEST_CASE("a missing folder for temporary files is named, and is no fault of the viewer") {
+  const Recorded recorded(4);
+  recorded.make();
+  const std::string tolman = tolmanProgram().string();
+  std::vector<std::string> watched = {"env", "TMPDIR=/nowhere-at-all", tolman};
+  for (const std::string& word : tinyRun(recorded.config, recorded.folder.path() / "other")) {
+    watched.push_back(word);
+  }
+  watched.emplace_back("--view");
+  const std::vector<std::string> viewed = {
+      "env", "TMPDIR=/nowhere-at-all", tolman, "view", recorded.run.string(), "--port", "0"};
+  for (const auto& command : {viewed, watched}) {
+    const Finished finished = test::run(command);
+    CAPTURE(finished.err);
+    CHECK(finished.exit_code == 8);
+    CHECK(contains(finished.err,
+                   "/nowhere-at-all: cannot hold temporary files; set TMPDIR to a "
+                   "folder that exists and can be written"));
+  }
+}
+
 TEST_CASE("a finished run is served as it was recorded, with its images") {
   const Recorded recorded(40);
   recorded.make();

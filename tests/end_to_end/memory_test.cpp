@@ -47,12 +47,27 @@ TEST_CASE("a plugin that takes all memory fails alone: the frames before are rec
       1500, {"run", config.string(), "--out", out, "--plugin-path", fixtures + "process_faults",
              "--set", "odometry={plugin: eat_memory}", "--set", "threads=2"});
   CAPTURE(finished.exit_code, finished.err);
-  CHECK(finished.exit_code == 7);
+  CHECK(finished.exit_code == 70);
   CHECK(contains(finished.err, "odometry (eat_memory), track, frame 3: threw: std::bad_alloc"));
   const auto provenance = readJson(fs::path(out) / "run.json");
   CHECK(provenance["status"] == "failed");
   CHECK(provenance["counters"]["frames"] == 3);
   CHECK(fs::exists(fs::path(out) / "report.html"));
+}
+
+TEST_CASE("memory that ends while the source is configured is no fault of the data") {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  int told = 0;
+  for (int mib = 170; mib <= 290; mib += 20) {
+    const Finished finished =
+        within(mib, {"run", "demo", "--set", "source.last=3", "--set", "threads=2", "--out", out});
+    CAPTURE(mib, finished.exit_code, finished.err);
+    if (!contains(finished.err, "std::bad_alloc")) continue;
+    ++told;
+    CHECK(finished.exit_code == 70);
+  }
+  CHECK(told > 0);
 }
 
 TEST_CASE("threads that find no room for their stacks are said to lack memory") {

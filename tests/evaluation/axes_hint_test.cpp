@@ -5,6 +5,7 @@
 
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
+#include "tolman/context.hpp"
 
 using namespace tolman;
 using namespace tolman::evaluation;
@@ -117,6 +118,28 @@ TEST_CASE("a rotation about a nearly straight path gives no hint of wrong axes")
   }
   CHECK_THAT(scoreTrajectory(truth, estimate, Alignment::Se3).warning,
              Catch::Contains("against its own orientations"));
+}
+
+TEST_CASE("an estimate that is right but for its scale is told, one that is only poor is not") {
+  const Trajectory truth = drive();
+  const auto hint = [&](double factor, double noise) {
+    RandomStream random(5);
+    Trajectory estimate = truth;
+    for (TrajectoryPose& pose : estimate) {
+      Eigen::Vector3d moved = pose.T_world_camera.translation() * factor;
+      for (double& x : moved) x += noise * random.normal();
+      pose.T_world_camera.translation() = moved;
+    }
+    return scaleHint(test::paired(truth, estimate));
+  };
+  CHECK_THAT(hint(5, 0), Catch::StartsWith("the estimate is the true path but for its scale: "
+                                           "multiplied by 0.2 it agrees within"));
+  CHECK_THAT(hint(0.5, 0.01), Catch::Contains("multiplied by 2 it"));
+  CHECK(hint(1.4, 0).empty());
+  CHECK(hint(0.7, 0).empty());
+  CHECK(hint(1, 0).empty());
+  CHECK(hint(1, 100).empty());  // noise makes a path longer, but agrees at no scale
+  CHECK(scaleHint(test::paired(truth, test::straightPath(60))).empty());
 }
 
 TEST_CASE("positions in millimetres are detected; a poor scale gives no hint") {

@@ -52,6 +52,21 @@ TEST_CASE("a failure keeps its code and gets the call site, with the frame if th
   CHECK(prefix({"source", "kitti", "next", 0}) == "source (kitti), next, frame 0: ");
 }
 
+TEST_CASE("a call that had no memory is told from one that failed, or met a limit of its own") {
+  const auto failed = [](const auto& error) {
+    return guarded(kTrack, [&]() -> Status { throw error; });
+  };
+  CHECK(isOutOfMemory(failed(std::bad_alloc())));
+  CHECK(isOutOfMemory(Status::failed("odometry (mine), track: out of memory")));
+  CHECK(isOutOfMemory(failed(std::runtime_error(
+      "OpenCV(4.6.0) alloc.cpp:73: error: (-4:Insufficient memory) Failed to allocate 9 bytes"))));
+  CHECK_FALSE(isOutOfMemory(failed(std::runtime_error("broken"))));
+  CHECK_FALSE(isOutOfMemory(Status::ok()));
+  const Status limited = failed(std::bad_alloc());
+  CHECK_FALSE(
+      isOutOfMemory(Status::failed(limited.message() + "; isolation.memory_limit is 200 MiB")));
+}
+
 TEST_CASE("success and the end of a stream are no failures") {
   CHECK(guarded(kTrack, [] { return Status::ok(); }).message().empty());
   const Status end = guarded(kTrack, [] { return Status::endOfStream(); });

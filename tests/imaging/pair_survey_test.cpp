@@ -93,3 +93,16 @@ TEST_CASE("without a second image nothing is said, without texture that nothing 
   CHECK(found[0].severity == Finding::Severity::Warning);
   CHECK(found[0].message.starts_with("only 0 corners matched in 1 pairs"));
 }
+
+TEST_CASE("pairs that are nearly black are told as such, not as exchanged") {
+  PairSurvey survey;
+  Frame frame;
+  frame.left = frame.right = test::gray(320, 200, [](int x, int y) { return (x / 5 + y / 5) % 4; });
+  survey.add(frame);
+  const std::vector<Finding> found = survey.findings();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].message.find("nearly black, with no grey level above 3 of 255") !=
+        std::string::npos);
+  CHECK(found[0].message.find("set bits") != std::string::npos);
+  CHECK(found[0].message.find("exchanged") == std::string::npos);
+}

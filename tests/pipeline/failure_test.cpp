@@ -165,3 +165,20 @@ TEST_CASE("after a failure of another stage the map of the earlier frames is pub
   REQUIRE(system.drive({}, 2).failure);
   CHECK(system.diary.final_size == 5);
 }
+
+TEST_CASE("impossible motions are counted, and the first ten of them reported") {
+  Hooks hooks;
+  hooks.step_m = 1;  // 1000 m/s
+  ToySystem system(hooks);
+  const auto result = system.drive({}, 2);
+  CHECK(result.counters.impossible == 29);
+  std::vector<std::string> told;
+  for (const auto& event : system.diary.events) {
+    if (event.message.find("has a speed of 1000 m/s") != std::string::npos) {
+      told.push_back(event.message);
+    }
+  }
+  REQUIRE(told.size() == 10);
+  CHECK(told[9].ends_with("; further ones are counted, not reported"));
+  CHECK_FALSE(told[8].ends_with("reported"));
+}

@@ -51,6 +51,15 @@ TEST_CASE("the cause is named: one frame, limits of checks, or images") {
   CHECK(says(impossible, "are the images rectified"));
 }
 
+TEST_CASE("images that are nearly black are named before their rectification is") {
+  RunCounters n = counters(10, 10, 0);
+  n.nearly_black = 6;
+  CHECK(says(n, "nearly black"));
+  CHECK(says(n, "set source.bits"));
+  n.nearly_black = 5;
+  CHECK(says(n, "are the images rectified"));
+}
+
 TEST_CASE("every count is visited once, under its own name") {
   RunCounters n;
   n.impossible = 7;

@@ -22,6 +22,7 @@ struct Hooks {
   std::function<Status(std::int64_t)> graph;  ///< called with the number of experiences
   bool place_needs_motion = false;
   std::function<void()> map_finish;
+  double step_m = 1e-3;            ///< of odometry in a frame, which takes 1 ms
   bool keeps_state = false;        ///< place, cells and map are StateKeepers
   bool cells_cannot_save = false;  ///< although they are
   bool map_grows = false;          ///< by an experience a frame, else it has one
@@ -62,7 +63,7 @@ struct ToyOdometry : Odometry {
     last_ns = frame.stamp_ns;
     state = 0.9 * state + static_cast<double>(frame.frame);
     motion.v = state;
-    if (frame.frame > 0) motion.T_previous_current.translation().z() = 1e-3;
+    if (frame.frame > 0) motion.T_previous_current.translation().z() = hooks.step_m;
     return Hooks::call(hooks.odometry, frame.frame);
   }
   Status finish(std::vector<MotionRevision>& revisions) override {

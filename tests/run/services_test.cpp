@@ -48,6 +48,13 @@ TEST_CASE("lines written before there is a file come first in it, each with time
   CHECK(std::regex_match(lines[2], std::regex(time + "warning map: late")));
 }
 
+TEST_CASE("warnings from before there is a file can be asked for") {
+  RunLog log(true);
+  log.write(LogLevel::Info, "source", "watch at");
+  log.write(LogLevel::Warning, "source", "dark");
+  CHECK(log.keptWarnings() == std::vector<std::string>{"source: dark"});
+}
+
 TEST_CASE("messages are text, whatever a format string would make of them") {
   const TemporaryFolder folder;
   RunLog log(true);

@@ -26,7 +26,7 @@ Json poseJson(const LatestPose& pose) {
       {"experience", pose.experience},
       {"right_m", p.x()},
       {"forward_m", p.z()},
-      {"up_m", -p.y()},
+      {"up_m", 0 - p.y()},
       {"heading_rad", toPlanar(pose.T_world_camera).theta},
       {"T_world_camera",
        {{"position_m", {p.x(), p.y(), p.z()}}, {"rotation_xyzw", {q.x(), q.y(), q.z(), q.w()}}}}};
@@ -50,7 +50,7 @@ ApiAnswer mapAnswer(const FlatGraph& graph) {
     experiences.push_back({{"id", i},
                            {"right_m", e[0]},
                            {"forward_m", e[2]},
-                           {"up_m", -e[1]},
+                           {"up_m", 0 - e[1]},
                            {"heading_rad", e[3]}});
   }
   Json links = Json::array();

@@ -8,6 +8,7 @@
 
 #include "api_messages.hpp"
 #include "container.hpp"
+#include "query_value.hpp"
 #include "shortest_path.hpp"
 
 namespace tolman::web_viewer {
@@ -37,32 +38,29 @@ struct End {
   Eigen::Vector3d place{0, 0, std::numeric_limits<double>::quiet_NaN()};
 };
 
-/// Decodes %2C, which clients may send for a comma.
-std::string withCommas(std::string_view text) {
-  std::string plain(text);
-  for (const char* code : {"%2C", "%2c"}) {
-    for (std::size_t at = plain.find(code); at != std::string::npos; at = plain.find(code)) {
-      plain.replace(at, 3, ",");
-    }
-  }
-  return plain;
+/// Without blanks at both ends.
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(' ');
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(' ') - begin + 1);
 }
 
 std::optional<End> parseEnd(std::string_view given) {
+  const std::string plain = decodedValue(given);
+  std::string_view text = trimmed(plain);
   End end;
-  end.is_here = given == "here";
+  end.is_here = text == "here";
   if (end.is_here) return end;
   std::int64_t id = 0;
-  if (parse(given, id)) {
+  if (parse(text, id)) {
     end.experience = id;
     return end;
   }
-  const std::string plain = withCommas(given);
-  std::string_view text = plain;
   for (int i = 0; i < 3; ++i) {
     const std::size_t comma = i < 2 ? text.find(',') : std::string_view::npos;
     double& metres = end.place[i];
-    if (!parse(text.substr(0, comma), metres) || !(std::abs(metres) <= kFarthest)) return {};
+    if (!parse(trimmed(text.substr(0, comma)), metres) || !(std::abs(metres) <= kFarthest))
+      return {};
     if (comma == std::string_view::npos) return i > 0 ? std::optional(end) : std::nullopt;
     text.remove_prefix(comma + 1);
   }

@@ -61,6 +61,7 @@ void Handover::putMessages(const Snapshot& snapshot) {
 void Handover::putGraph(const MapGraph& graph) {
   const std::lock_guard lock(mutex_);
   graph_.assign(graph, -1);
+  pose_.assignFinal(graph);
   fresh_graph_ = true;
 }
 

@@ -42,6 +42,7 @@ class Handover {
   /// True if the viewer should take the data now: there is much of it, or every frame is to be
   /// shown.
   bool put(const Snapshot& snapshot);
+  /// The final graph, after the last frame; the newest pose moves with it.
   void putGraph(const MapGraph& graph);
 
   /// Moves the data into `pending`, and reuses its memory for the next data. Frame and graph are

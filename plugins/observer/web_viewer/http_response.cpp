@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bundle.hpp"
+#include "query_value.hpp"
 
 namespace tolman::web_viewer {
 namespace {
@@ -38,7 +39,7 @@ HttpResponse history(std::string_view query, const RunStore& store) {
     query.remove_prefix(std::min(query.size(), part.size() + 1));
     const std::size_t equals = part.find('=');
     if (equals == std::string_view::npos) return errorResponse(400);
-    const auto value = number(part.substr(equals + 1));
+    const auto value = number(decodedValue(part.substr(equals + 1)));
     const std::string_view key = part.substr(0, equals);
     if (key != "from" && key != "count") return errorResponse(400);
     if (!value) return noNumber("value of " + std::string(key), part.substr(equals + 1));

@@ -16,15 +16,29 @@ namespace {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
+[[noreturn]] void failToCreate(const std::string& folder, const std::error_code& error) {
+  const bool descriptors =
+      error == std::errc::too_many_files_open || error == std::errc::too_many_files_open_in_system;
+  throw std::system_error(
+      error, folder + ": cannot hold temporary files; " +
+                 (descriptors ? "allow more open files (`ulimit -n`)"
+                              : "set TMPDIR to a folder that exists and can be written"));
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile() {
-  const std::string folder = std::filesystem::temp_directory_path().string();
+  std::error_code error;
+  // Also of a folder that is none, the path is named.
+  const char* given = std::getenv("TMPDIR");
+  std::string folder = std::filesystem::temp_directory_path(error).string();
+  if (error && given != nullptr) folder = given;
+  if (error) failToCreate(folder, error);
   descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
   if (descriptor_ >= 0) return;
   std::string name = folder + "/tolman-viewer-XXXXXX";  // no O_TMPFILE on this file system
   descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor_ < 0) fail(("cannot create a temporary file in " + folder).c_str());
+  if (descriptor_ < 0) failToCreate(folder, {errno, std::generic_category()});
   ::unlink(name.c_str());
 }
 

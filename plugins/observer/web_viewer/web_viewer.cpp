@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "viewer_thread.hpp"
@@ -57,7 +58,12 @@ Status WebViewer::configure(const Context& context) {
 Status WebViewer::reset() {
   if (viewer_) viewer_->finish(nullptr, "interrupted", {});
   viewer_.reset();  // frees the port for the new one
-  auto viewer = std::make_unique<ViewerThread>(optionsOf(parameters_), *log_);
+  std::unique_ptr<ViewerThread> viewer;
+  try {
+    viewer = std::make_unique<ViewerThread>(optionsOf(parameters_), *log_);
+  } catch (const std::system_error& error) {  // of a temporary file
+    return Status::failed(error.what());
+  }
   const Status status = viewer->start();
   if (!status.isOk()) return status;
   viewer_ = std::move(viewer);

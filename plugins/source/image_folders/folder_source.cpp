@@ -17,6 +17,7 @@ Status FolderSource::configure(const Context& context) {
   sequence_ = {};
   left_warnings_ = {};
   right_warnings_ = {};
+  used_bits_ = {};
   log_ = &context.log;
   next_frame_ = 0;
   ready_ = load(context.parameters, parameters_, dataset_, inspection_);
@@ -79,11 +80,15 @@ Status FolderSource::next(Frame& frame) {
         dataset_.T_world_left[origin].inverse() * dataset_.T_world_left[index];
   }
   Status status = readImages(index, frame);
+  const bool is_last = next_frame_ == sequence_.size();
+  if (const auto warning = used_bits_.warning(parameters_.bits, is_last)) {
+    log_->warning(dataset_.left.front().parent_path().string() + ": " + *warning);
+  }
   const bool damaged = status.code() == StatusCode::InvalidInput;
   if (!damaged || parameters_.on_corrupt == OnCorrupt::Stop) return status;
   frame.left = frame.right = {};
   if (!dataset_.depth.empty()) frame.sensors = {noDepth()};
-  frame.defect = status.message();
+  frame.defect = source_parameters::withoutAdvice(status.message());
   return Status::ok();
 }
 
@@ -92,10 +97,11 @@ Result<Image> FolderSource::readImage(const std::filesystem::path& file, ImageWa
   ImageNotes notes;
   Result<Image> image = readImageFile(file, parameters_.colour, dataset_.size(), bits, &notes);
   if (!image.isOk()) return image;
-  for (const auto& warning :
-       {warnings.ofOrientation(notes.orientation), warnings.ofBits(notes.beyond_bits, bits)}) {
+  for (const auto& warning : {warnings.ofOrientation(notes.orientation),
+                              warnings.ofBits(notes.values.beyond_bits, bits)}) {
     if (warning) log_->warning(file.string() + ": " + *warning);
   }
+  used_bits_.add(notes.values.largest);
   return image;
 }
 
@@ -135,7 +141,10 @@ Status FolderSource::inspect(std::vector<Finding>& findings) {
   if (!inspection_.hasErrors() && !ready_.isOk()) {
     findings.push_back({Finding::Severity::Error, "configuration", ready_.message()});
   }
-  if (dataset_.rig.width > 0) checkImageFiles(dataset_, findings);
+  if (dataset_.rig.width > 0) {
+    checkImageFiles(dataset_, findings);
+    checkUsedBits(dataset_, parameters_.bits, findings);
+  }
   if (!dataset_.left.empty()) {
     const auto all = static_cast<std::int64_t>(dataset_.left.size());
     findings.push_back({Finding::Severity::Note, dataset_.left.front().parent_path().string(),

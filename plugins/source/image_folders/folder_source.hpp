@@ -17,6 +17,7 @@
 #include "tolman/extras.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/roles.hpp"
+#include "used_bits.hpp"
 
 namespace tolman::image_folders {
 
@@ -74,6 +75,7 @@ class FolderSource : public Source, public RawRigSource, public ArrayDescription
   FrameSequence sequence_;
   ImageWarnings left_warnings_;
   ImageWarnings right_warnings_;
+  source_parameters::UsedBits used_bits_;
   Logger* log_ = nullptr;  ///< of configure()
   std::int64_t next_frame_ = 0;
 };

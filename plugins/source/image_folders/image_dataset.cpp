@@ -10,6 +10,7 @@
 #include "image_listing.hpp"
 #include "image_warnings.hpp"
 #include "text_file.hpp"
+#include "used_bits.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -183,6 +184,22 @@ void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings
   for (const auto* files : {&dataset.left, &dataset.right}) {
     ImageWarnings warnings;
     for (const fs::path& file : *files) checkImage(file, dataset.size(), warnings, findings);
+  }
+}
+
+void checkUsedBits(const ImageDataset& dataset, int bits, std::vector<Finding>& findings) {
+  source_parameters::UsedBits used;
+  int images = 0;
+  for (const fs::path& file : dataset.left) {
+    ImageNotes notes;
+    if (!readImageFile(file, false, dataset.size(), bits, &notes).isOk()) continue;
+    if (notes.values.largest < 0) break;
+    used.add(notes.values.largest);
+    if (++images == source_parameters::UsedBits::kJudged) break;
+  }
+  if (auto warning = used.warning(bits, true)) {
+    findings.push_back({Finding::Severity::Warning, dataset.left.front().parent_path().string(),
+                        std::move(*warning)});
   }
 }
 

@@ -74,4 +74,7 @@ std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames);
 /// images, see ImageWarnings; nothing is decoded.
 void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings);
 
+/// Decodes the first left images if they have 16 bits, and warns if they use fewer than `bits`.
+void checkUsedBits(const ImageDataset& dataset, int bits, std::vector<Finding>& findings);
+
 }  // namespace tolman::image_folders

@@ -12,7 +12,6 @@
 #include "jpeg_decoder.hpp"
 #include "orientation.hpp"
 #include "png_chunks.hpp"
-#include "png_decoder.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -118,9 +117,8 @@ Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expect
   Result<std::vector<std::uint8_t>> bytes = checkedBytes(file, expected);
   if (!bytes.isOk()) return bytes.status();
   notes.orientation = orientationOf(bytes.value());
-  Result<Image> image = isPng(bytes.value())
-                            ? decodePng(bytes.value(), colour, bits, &notes.beyond_bits)
-                            : decodeJpeg(bytes.value(), colour);
+  Result<Image> image = isPng(bytes.value()) ? decodePng(bytes.value(), colour, bits, &notes.values)
+                                             : decodeJpeg(bytes.value(), colour);
   if (!image.isOk()) return image;
   if (ImageSize{image.value().width(), image.value().height()} != expected) {
     return problem("has a damaged header");

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "png_decoder.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
 
@@ -38,8 +39,8 @@ Result<ImageHeader> checkImageFile(const std::filesystem::path& file);
 
 /// What is unusual in an image that was read.
 struct ImageNotes {
-  int orientation = 1;          ///< see orientationOf()
-  std::size_t beyond_bits = 0;  ///< values of 16 bits that exceed `bits`
+  int orientation = 1;  ///< see orientationOf()
+  DeepValues values;
 };
 
 /// An image of the size `expected` as Gray8, or as Bgr8 if `colour`; `bits` of 16 are used, see

@@ -87,14 +87,15 @@ cv::Mat decodeByOpenCv(std::vector<std::uint8_t>& png, int mode) {
 Status damaged() { return Status::invalidInput("cannot be decoded, its data are damaged"); }
 
 /// The 8 highest of the lowest `bits` of each value.
-cv::Mat eightBits(const cv::Mat& deep, int bits, std::size_t& beyond_bits) {
+cv::Mat eightBits(const cv::Mat& deep, int bits, DeepValues& values) {
   cv::Mat pixels(deep.rows, deep.cols, CV_MAKETYPE(CV_8U, deep.channels()));
   for (int r = 0; r < deep.rows; ++r) {
     const auto* from = deep.ptr<std::uint16_t>(r);
     std::transform(from, from + deep.cols * deep.channels(), pixels.ptr<std::uint8_t>(r),
                    [&](std::uint16_t v) {
                      const int value = v >> (bits - 8);
-                     beyond_bits += value > 255 ? 1 : 0;
+                     values.largest = std::max<int>(values.largest, v);
+                     values.beyond_bits += value > 255 ? 1 : 0;
                      return static_cast<std::uint8_t>(std::min(value, 255));
                    });
   }
@@ -119,8 +120,7 @@ std::optional<Image> decodePlainPng(Bytes png, bool colour) {
   return whole ? std::optional(std::move(image)) : std::nullopt;
 }
 
-Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits,
-                        std::size_t* beyond_bits) {
+Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits, DeepValues* values) {
   removeExtras(png);
   if (std::optional<Image> image = decodePlainPng(png, colour)) return *std::move(image);
   if (exceedsPalette(png)) {
@@ -130,9 +130,9 @@ Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits,
   const cv::Mat pixels = decodeByOpenCv(png, colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE);
   if (pixels.empty()) return damaged();
   if (pixels.depth() != CV_16U) return asImage(pixels);
-  std::size_t beyond = 0;
-  const cv::Mat converted = eightBits(pixels, bits, beyond);
-  if (beyond_bits != nullptr) *beyond_bits = beyond;
+  DeepValues found;
+  const cv::Mat converted = eightBits(pixels, bits, found);
+  if (values != nullptr) *values = found;
   return asImage(converted);
 }
 

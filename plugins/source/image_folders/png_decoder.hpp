@@ -17,12 +17,18 @@
 
 namespace tolman::image_folders {
 
+/// Of the values of an image of 16 bits per channel.
+struct DeepValues {
+  int largest = -1;             ///< -1: the image has 8 bits
+  std::size_t beyond_bits = 0;  ///< number of those that exceed `bits`
+};
+
 /// The same pixels as OpenCV's decoder, as Gray8, or as Bgr8 if `colour`. Of 16 bits per channel
 /// the lowest `bits` are used, and of these the 8 highest become the pixel; larger values become
-/// 255, and are counted in `beyond_bits` if it is given. Removes chunks from `png` that do not
+/// 255. `values`, if given, is filled in. Removes chunks from `png` that do not
 /// affect pixels. The message of a failure completes the sentence "FILE ...".
 Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits = 16,
-                        std::size_t* beyond_bits = nullptr);
+                        DeepValues* values = nullptr);
 
 /// Values of one channel of 16 bits, row by row. The message of a failure completes the sentence
 /// "FILE ...".

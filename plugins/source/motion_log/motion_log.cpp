@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "unit_doubts.hpp"
+
 namespace tolman::motion_log {
 namespace fs = std::filesystem;
 
@@ -34,7 +36,9 @@ Status MotionLog::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
-  return ready_ = load();
+  ready_ = load();
+  for (const auto& [file, text] : doubts_) context.log.warning(file + ": " + text);
+  return ready_;
 }
 
 /// The file of the default name may be missing; one that was named, or a link to nothing, may not.
@@ -52,7 +56,15 @@ Status MotionLog::loadTruth(const fs::path& file) {
                               "; give the truth of this sequence");
 }
 
+void MotionLog::addDoubts(const std::string& name, const std::vector<PlanarPose>& poses) {
+  const std::string file = (fs::path(parameters_.path) / name).string();
+  for (std::string& text : unitDoubts(poses, parameters_.rate)) {
+    doubts_.emplace_back(file, std::move(text));
+  }
+}
+
 Status MotionLog::load() {
+  doubts_.clear();
   const fs::path folder = parameters_.path;
   Result<std::vector<PlanarPose>> poses = readChain(folder / parameters_.odometry);
   if (!poses.isOk()) return poses.status();
@@ -60,6 +72,8 @@ Status MotionLog::load() {
   drive_ = digest(poses_);
   if (Status status = loadTruth(folder / parameters_.truth); !status.isOk()) return status;
   if (Status status = loadCandidates(); !status.isOk()) return status;
+  addDoubts(parameters_.odometry, poses_);
+  addDoubts(parameters_.truth, truth_);
   std::vector<std::int64_t> stamps;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     stamps.push_back(std::llround(static_cast<double>(i) * 1e9 / parameters_.rate));
@@ -177,6 +191,9 @@ Status MotionLog::inspect(std::vector<Finding>& findings) {
   if (!ready_.isOk()) {
     findings.push_back({Finding::Severity::Error, parameters_.path, ready_.message()});
     return Status::ok();
+  }
+  for (const auto& [file, text] : doubts_) {
+    findings.push_back({Finding::Severity::Warning, file, text});
   }
   SourceInfo found;
   if (Status status = info(found); !status.isOk()) return status;

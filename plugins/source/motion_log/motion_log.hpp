@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "g2o_edges.hpp"
@@ -80,13 +81,15 @@ class MotionLog final : public Source, public ArrayDescriptions {
  private:
   Status loadTruth(const std::filesystem::path& file);
   Status load();
+  void addDoubts(const std::string& name, const std::vector<PlanarPose>& poses);
   Status loadCandidates();
   void addCandidates(std::int64_t here, Frame& frame) const;
 
   Parameters parameters_;
   Status ready_ = Status::failed("configure() was not called");
-  std::vector<PlanarPose> poses_;  ///< by odometry
-  std::vector<PlanarPose> truth_;  ///< empty without true poses
+  std::vector<PlanarPose> poses_;                            ///< by odometry
+  std::vector<PlanarPose> truth_;                            ///< empty without true poses
+  std::vector<std::pair<std::string, std::string>> doubts_;  ///< file and text, see unitDoubts()
   std::multimap<std::int64_t, Edge> candidates_;
   std::set<std::int64_t> looked_;  ///< ends of candidates
   float drive_ = 0;                ///< motion.drive

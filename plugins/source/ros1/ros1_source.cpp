@@ -17,6 +17,7 @@ Status Ros1Source::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   log_ = &context.log;
+  used_bits_ = {};
   return ready_ = prepare(context);
 }
 
@@ -118,9 +119,15 @@ Status Ros1Source::give(const ArrivedPair& pair, Frame& frame) {
 }
 
 Status Ros1Source::convert(const std::string& topic, const std::string& type,
-                           const Arrived& arrived, Image& image) const {
+                           const Arrived& arrived, Image& image) {
+  ros_messages::DeepPixels deep{parameters_.bits};
   auto converted = ros_messages::convertImage(type, asMessage(arrived.message), parameters_.colour,
-                                              size_, camera_->topics().left);
+                                              size_, camera_->topics().left, deep);
+  used_bits_.add(deep.largest);
+  for (const auto& warning : {used_bits_.beyond(deep.largest, parameters_.bits),
+                              used_bits_.warning(parameters_.bits, false)}) {
+    if (warning) log_->warning(topic + ": " + *warning);
+  }
   const Status status = converted.status();
   if (status.isOk()) {
     image = std::move(converted).value();

@@ -8,6 +8,7 @@
 #include "live_camera.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
+#include "used_bits.hpp"
 
 namespace tolman::ros1 {
 
@@ -27,10 +28,11 @@ class Ros1Source final : public Source, public RawRigSource, public LiveSource {
   Status makeRigs();
   Status give(const ArrivedPair& pair, Frame& frame);
   Status convert(const std::string& topic, const std::string& type, const Arrived& arrived,
-                 Image& image) const;
+                 Image& image);
   void tellLeftOut();
 
   Parameters parameters_;
+  source_parameters::UsedBits used_bits_;
   Logger* log_ = nullptr;
   std::unique_ptr<LiveCamera> camera_;
   ros_messages::ImageSize size_;

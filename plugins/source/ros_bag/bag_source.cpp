@@ -9,6 +9,9 @@
 #include "image_conversion.hpp"
 
 namespace tolman::ros_bag {
+
+using source_parameters::withoutAdvice;
+
 namespace {
 
 std::string shortNumber(double value) {
@@ -39,6 +42,7 @@ std::string summary(const BagTopic& topic) {
 }
 
 constexpr const char* kLeaveOut = "; leave them out by on_corrupt: skip";
+constexpr const char* kAreLeftOut = "; what is damaged is left out";
 constexpr const char* kWithoutThem =
     "; they are left out, or, where no header has a time, used by the time of recording";
 
@@ -53,6 +57,8 @@ Status BagSource::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
+  log_ = &context.log;
+  used_bits_ = {};
   return ready_ = prepare(context);
 }
 
@@ -83,7 +89,7 @@ Status BagSource::judgeProblems(Logger& log) const {
   const std::vector<std::string>& problems = bag_->problems();
   if (problems.empty()) return Status::ok();
   if (parameters_.on_corrupt == OnCorrupt::Skip) {
-    for (const std::string& problem : problems) log.warning(problem);
+    for (const std::string& problem : problems) log.warning(withoutAdvice(problem) + kAreLeftOut);
     return Status::ok();
   }
   return Status::invalidInput(problems.front() + andMore(problems.size() - 1));
@@ -228,7 +234,15 @@ Status BagSource::next(Frame& frame) {
   const FrameRow& row = table_.rows[static_cast<std::size_t>(frame.source_index)];
   Status status = addDepth(row, frame);
   if (status.isOk()) status = readImages(row, frame);
+  tellUsedBits();
   return source_parameters::finishFrame(status, parameters_.on_corrupt, frame);
+}
+
+void BagSource::tellUsedBits() {
+  const bool is_last = next_frame_ == sequence_.size();
+  if (const auto warning = used_bits_.warning(parameters_.bits, is_last)) {
+    log_->warning(parameters_.path + ": " + chosen_.left->topic.name + ": " + *warning);
+  }
 }
 
 Status BagSource::readImages(const FrameRow& row, Frame& frame) {
@@ -242,11 +256,17 @@ Status BagSource::readImages(const FrameRow& row, Frame& frame) {
 Status BagSource::readImage(const BagTopic& topic, std::size_t index, Image& image) {
   const BagMessage& message = topic.index[index];
   const auto bytes = bag_->read(message);
-  Result<Image> converted = bytes.isOk()
-                                ? convertImage(topic.topic.type, topic.message(bytes.value()),
-                                               parameters_.colour, size_, chosen_.left->topic.name)
-                                : Result<Image>(bytes.status());
+  ros_messages::DeepPixels deep{parameters_.bits};
+  Result<Image> converted =
+      bytes.isOk() ? convertImage(topic.topic.type, topic.message(bytes.value()),
+                                  parameters_.colour, size_, chosen_.left->topic.name, deep)
+                   : Result<Image>(bytes.status());
   const Status status = converted.status();
+  used_bits_.add(deep.largest);
+  if (const auto warning = used_bits_.beyond(deep.largest, parameters_.bits)) {
+    log_->warning(parameters_.path + ": image " + std::to_string(index) + " of " +
+                  topic.topic.name + " " + *warning);
+  }
   if (status.isOk()) {
     image = std::move(converted).value();
     return status;
@@ -321,7 +341,8 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
   if (bag_) {
     inspectTopics(findings);
     for (const std::string& problem : bag_->problems()) {
-      findings.push_back({skip ? Severity::Warning : Severity::Error, "", problem});
+      if (skip) findings.push_back({Severity::Warning, "", withoutAdvice(problem) + kAreLeftOut});
+      if (!skip) findings.push_back({Severity::Error, "", problem});
     }
   }
   for (const std::string& problem : messageProblems()) {

@@ -14,6 +14,7 @@
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 #include "topic_choice.hpp"
+#include "used_bits.hpp"
 
 namespace tolman::ros_bag {
 
@@ -41,6 +42,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status makeSequence(Logger& log);
   Status readImage(const BagTopic& topic, std::size_t index, Image& image);
   Status readImages(const FrameRow& row, Frame& frame);
+  void tellUsedBits();
   Status addDepth(const FrameRow& row, Frame& frame);
   void inspectTopics(std::vector<Finding>& findings) const;
   std::string roleOf(const BagTopic& topic) const;
@@ -54,6 +56,8 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   ImageSize depth_size_;
   CameraRigs rigs_;
   FrameSequence sequence_;
+  source_parameters::UsedBits used_bits_;
+  Logger* log_ = nullptr;  ///< of configure()
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;
 };

@@ -84,7 +84,12 @@ Status chooseCameras(const Topics& topics, const BagParameters& p, ChosenTopics&
   if (Status status = choose("right", p.right, chosen.right); !status.isOk()) return status;
   const std::vector<const BagTopic*> cameras = cameraTopics(topics);
   if (cameras.empty() && chosen.left == nullptr) {
-    return Status::invalidInput("the bag has no images; `tolman dataset check` lists its topics");
+    const std::vector<const BagTopic*> depth = topicsOf(topics, {kImage, kCompressedImage});
+    return Status::invalidInput(
+        depth.empty() ? "the bag has no images; `tolman dataset check` lists its topics"
+                      : "the bag has images of depth only (" + listed(depth) +
+                            "); record those of a camera as well, or in an encoding such as mono8 "
+                            "or mono16");
   }
   std::vector<std::string> names;
   for (const BagTopic* camera : cameras) names.push_back(camera->topic.name);

@@ -3,7 +3,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace tolman::ros_messages {
 namespace {
@@ -46,12 +48,42 @@ Status checkPinhole(const Pinhole& K, int width, int height) {
       "calibrated; give fx of rectified images");
 }
 
-Result<double> baselineOf(const CameraInfoMessage& right) {
-  const double baseline = hasP(right) ? -right.P[3] / right.P[0] : 0;
+std::string shortText(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.7g", value + 0.0);  // 0, not -0
+  return text.data();
+}
+
+/// The failure of one camera, with the name of its topic.
+Status named(const std::string& name, const Status& status) {
+  if (status.isOk() || name.empty()) return status;
+  return {status.code(), name + ": " + status.message()};
+}
+
+/// The distance in P of the right camera, whose fourth number is -fx times it.
+Result<double> baselineOf(const CameraInfos& infos) {
+  const CameraInfoMessage& right = *infos.right;
+  if (!hasP(right)) {
+    return Status::invalidInput(
+        "has no P, so the baseline is not known; record the CameraInfo of a calibrated pair, give "
+        "fx and baseline, or set mono: true");
+  }
+  const double baseline = -right.P[3] / right.P[0];
   if (baseline > 1e-3 && baseline < 5) return baseline;  // m; chosen, not tuned
-  return Status::invalidInput(
-      "has no baseline between 1 mm and 5 m in P of the right camera: exchange left and right, or "
-      "set mono: true");
+  const std::string found = "has P[3] = " + shortText(right.P[3]) +
+                            " and fx = " + shortText(right.P[0]) + ", a baseline of " +
+                            shortText(baseline) + " m";
+  if (baseline < 0 || (baseline == 0 && infos.left.P[3] < 0)) {
+    return Status::invalidInput(found + ": that of a left camera; exchange left and right");
+  }
+  if (baseline == 0) {
+    return Status::invalidInput(found +
+                                ": that of a single camera; calibrate the two as a pair, give fx "
+                                "and baseline, or set mono: true");
+  }
+  return Status::invalidInput(found +
+                              "; it must be 1 mm to 5 m: P[3] is -fx times the baseline in metres, "
+                              "not in mm or cm; correct it, or give fx and baseline");
 }
 
 Status setModel(const CameraInfoMessage& info, RawCamera& camera) {
@@ -125,12 +157,12 @@ Result<CameraRig> rectifiedRig(const CameraInfos& infos, int width, int height) 
   rig.pinhole = rectifiedPinhole(left);
   Status status = checkSize(left, width, height);
   if (status.isOk()) status = checkPinhole(rig.pinhole, width, height);
-  if (!status.isOk()) return status;
+  if (!status.isOk()) return named(infos.left_name, status);
   if (!infos.right) return rig;
   status = checkRight(*infos.right, rig);
-  if (!status.isOk()) return status;
-  const Result<double> baseline = baselineOf(*infos.right);
-  if (!baseline.isOk()) return baseline.status();
+  if (!status.isOk()) return named(infos.right_name, status);
+  const Result<double> baseline = baselineOf(infos);
+  if (!baseline.isOk()) return named(infos.right_name, baseline.status());
   rig.baseline = baseline.value();
   return rig;
 }
@@ -138,7 +170,7 @@ Result<CameraRig> rectifiedRig(const CameraInfos& infos, int width, int height) 
 Result<RawRig> rawRig(const CameraInfos& infos, int width, int height) {
   RawRig rig;
   const Result<RawCamera> left = rawCamera(infos.left, width, height);
-  if (!left.isOk()) return left.status();
+  if (!left.isOk()) return named(infos.left_name, left.status());
   rig.cameras.push_back(left.value());
   if (!infos.right) {
     rig.cameras.front().T_reference_camera.setIdentity();
@@ -146,7 +178,7 @@ Result<RawRig> rawRig(const CameraInfos& infos, int width, int height) {
     return rig;
   }
   Result<RawCamera> right = rawCamera(*infos.right, width, height);
-  if (!right.isOk()) return right.status();
+  if (!right.isOk()) return named(infos.right_name, right.status());
   Result<CameraRig> rectified = rectifiedRig(infos, width, height);
   if (!rectified.isOk()) return rectified.status();
   right.value().T_reference_camera.translation().x() = rectified.value().baseline;

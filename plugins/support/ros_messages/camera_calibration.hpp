@@ -15,6 +15,8 @@ namespace tolman::ros_messages {
 struct CameraInfos {
   CameraInfoMessage left;
   std::optional<CameraInfoMessage> right;
+  std::string left_name{};  ///< of the topic, for messages
+  std::string right_name{};
 };
 
 /// Whether the images are rectified: "rect" in the name of the topic, or no distortion and no

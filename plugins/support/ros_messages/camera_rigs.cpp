@@ -22,8 +22,9 @@ Result<CameraInfos> readInfos(const CameraTopic& left, const CameraTopic* right)
     return Status::invalidInput(left.info_name +
                                 ": is no complete CameraInfo; give fx of rectified images");
   }
-  CameraInfos infos{*of_left, std::nullopt};
+  CameraInfos infos{*of_left, std::nullopt, left.info_name};
   if (right == nullptr) return infos;
+  infos.right_name = right->info_name;
   infos.right = readCameraInfo(*right->info);
   if (infos.right) return infos;
   return Status::invalidInput(right->info_name +
@@ -34,18 +35,14 @@ Status setFromInfos(const CameraTopic& left, const CameraTopic* right, ImageSize
                     CameraRigs& rigs) {
   const Result<CameraInfos> infos = readInfos(left, right);
   if (!infos.isOk()) return infos.status();
-  Status status;
   if (isRectified(left.images, infos.value())) {
     const Result<CameraRig> rig = rectifiedRig(infos.value(), size.width, size.height);
-    status = rig.status();
     if (rig.isOk()) rigs.rectified = rig.value();
-  } else {
-    const Result<RawRig> raw = rawRig(infos.value(), size.width, size.height);
-    status = raw.status();
-    if (raw.isOk()) rigs.raw = raw.value();
+    return rig.status();
   }
-  if (status.isOk()) return status;
-  return {status.code(), left.info_name + ": " + status.message()};
+  const Result<RawRig> raw = rawRig(infos.value(), size.width, size.height);
+  if (raw.isOk()) rigs.raw = raw.value();
+  return raw.status();
 }
 
 }  // namespace

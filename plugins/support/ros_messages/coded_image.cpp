@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coded_image.hpp"
 
+#include <new>
 #include <opencv2/imgcodecs.hpp>
 
 #include "tolman/image_cv.hpp"
@@ -44,6 +45,16 @@ Result<ImageSize> jpegSize(Bytes coded) {
   return Status::invalidInput("is a JPEG image with a damaged header");
 }
 
+cv::Mat eightBits(const cv::Mat& pixels, DeepPixels& deep) {
+  cv::Mat converted(pixels.rows, pixels.cols, CV_MAKETYPE(CV_8U, pixels.channels()));
+  for (int y = 0; y < pixels.rows; ++y) {
+    const auto* from = pixels.ptr<std::uint16_t>(y);
+    std::transform(from, from + pixels.cols * pixels.channels(), converted.ptr(y),
+                   [&](std::uint16_t value) { return deep.convert(value); });
+  }
+  return converted;
+}
+
 }  // namespace
 
 Result<ImageSize> plausibleSize(std::uint64_t width, std::uint64_t height) {
@@ -61,24 +72,25 @@ Result<ImageSize> codedSize(Bytes coded) {
   return Status::invalidInput("is neither a JPEG nor a PNG image");
 }
 
-Result<Image> decodeImage(Bytes coded, bool colour) {
+Result<Image> decodeImage(Bytes coded, bool colour, DeepPixels& deep) {
   const Result<ImageSize> size = codedSize(coded);
   if (!size.isOk()) return size.status();
   const cv::Mat bytes(1, static_cast<int>(coded.size()), CV_8UC1,
                       const_cast<std::uint8_t*>(coded.data()));
-  const int mode =
-      (colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE) | cv::IMREAD_IGNORE_ORIENTATION;
+  const int mode = (colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE) | cv::IMREAD_ANYDEPTH |
+                   cv::IMREAD_IGNORE_ORIENTATION;
   cv::Mat pixels;
   try {
     pixels = cv::imdecode(bytes, mode);
-  } catch (const cv::Exception&) {
+  } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     return Status::invalidInput("cannot be decoded");
   }
   if (pixels.empty()) return Status::invalidInput("cannot be decoded");
   if (ImageSize{pixels.cols, pixels.rows} != size.value()) {
     return Status::invalidInput("has a damaged header");
   }
-  return asImage(pixels);
+  return asImage(pixels.depth() == CV_16U ? eightBits(pixels, deep) : pixels);
 }
 
 }  // namespace tolman::ros_messages

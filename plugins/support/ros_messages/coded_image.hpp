@@ -2,6 +2,9 @@
 // JPEG and PNG images in messages.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "bytes.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
@@ -20,8 +23,19 @@ Result<ImageSize> plausibleSize(std::uint64_t width, std::uint64_t height);
 /// The size in the header, for bytes that begin and end as a JPEG or PNG file does.
 Result<ImageSize> codedSize(Bytes coded);
 
+/// Of images of 16 bits: how they become images of 8.
+struct DeepPixels {
+  int bits = 16;     ///< that are used, from the lowest; the 8 highest of them are taken
+  int largest = -1;  ///< of the values that were converted; -1: none
+
+  std::uint8_t convert(int value) {
+    largest = std::max(largest, value);
+    return static_cast<std::uint8_t>(std::min(value >> (bits - 8), 255));
+  }
+};
+
 /// Decodes 8 or 16 bit to Gray8, or to Bgr8 if `colour`. Checks the end of the file first, because
 /// OpenCV decodes a truncated JPEG with a grey remainder.
-Result<Image> decodeImage(Bytes coded, bool colour);
+Result<Image> decodeImage(Bytes coded, bool colour, DeepPixels& deep);
 
 }  // namespace tolman::ros_messages

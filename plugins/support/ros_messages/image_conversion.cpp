@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <new>
 #include <opencv2/imgproc.hpp>
 
 #include "tolman/image_cv.hpp"
@@ -60,20 +61,21 @@ Status checkRows(const ImageMessage& image, ImageSize size, int pixel_bytes) {
                               " bytes of pixels instead of " + std::to_string(image.step * rows));
 }
 
-/// The upper 8 of 16 bits.
-cv::Mat upperBytes(const ImageMessage& image, ImageSize size) {
+cv::Mat eightOfSixteen(const ImageMessage& image, ImageSize size, DeepPixels& deep) {
   cv::Mat pixels(size.height, size.width, CV_8UC1);
   const std::size_t upper = image.big_endian ? 0 : 1;
   for (int y = 0; y < size.height; ++y) {
     const std::uint8_t* from =
         image.data.data() + std::size_t{image.step} * static_cast<unsigned>(y);
     std::uint8_t* to = pixels.ptr(y);
-    for (int x = 0; x < size.width; ++x) to[x] = from[2 * static_cast<std::size_t>(x) + upper];
+    for (int x = 0; x < size.width; ++x, from += 2) {
+      to[x] = deep.convert(from[upper] << 8 | from[1 - upper]);
+    }
   }
   return pixels;
 }
 
-Result<Image> convertRaw(const ImageMessage& image, bool colour) {
+Result<Image> convertRaw(const ImageMessage& image, bool colour, DeepPixels& deep) {
   const auto encoding =
       std::find_if(kEncodings.begin(), kEncodings.end(),
                    [&](const PixelLayout& e) { return e.name == image.encoding; });
@@ -87,7 +89,7 @@ Result<Image> convertRaw(const ImageMessage& image, bool colour) {
   if (!status.isOk()) return status;
   cv::Mat pixels =
       encoding->bytes == 2
-          ? upperBytes(image, size.value())
+          ? eightOfSixteen(image, size.value(), deep)
           : cv::Mat(size.value().height, size.value().width, CV_8UC(encoding->channels),
                     const_cast<std::uint8_t*>(image.data.data()), image.step);
   const int conversion = colour ? encoding->to_bgr : encoding->to_gray;
@@ -99,7 +101,8 @@ Result<Image> convertRaw(const ImageMessage& image, bool colour) {
   cv::Mat converted;
   try {
     cv::cvtColor(pixels, converted, conversion);
-  } catch (const cv::Exception&) {
+  } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     return Status::unsupported("has a size that its encoding cannot have");
   }
   return asImage(converted);
@@ -120,18 +123,24 @@ Result<ImageSize> imageSize(const std::string& type, const Message& message) {
   return image ? plausibleSize(image->width, image->height) : damaged(message);
 }
 
-Result<Image> convertImage(const std::string& type, const Message& message, bool colour) {
+Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
+                           DeepPixels& deep) {
   if (type == kCompressedImage) {
     const auto image = readCompressedImage(message);
-    return image ? decodeImage(image->data, colour) : damaged(message);
+    return image ? decodeImage(image->data, colour, deep) : damaged(message);
   }
   const auto image = readImage(message);
-  return image ? convertRaw(*image, colour) : damaged(message);
+  return image ? convertRaw(*image, colour, deep) : damaged(message);
+}
+
+Result<Image> convertImage(const std::string& type, const Message& message, bool colour) {
+  DeepPixels deep;
+  return convertImage(type, message, colour, deep);
 }
 
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
-                           ImageSize size, const std::string& first) {
-  Result<Image> image = convertImage(type, message, colour);
+                           ImageSize size, const std::string& first, DeepPixels& deep) {
+  Result<Image> image = convertImage(type, message, colour, deep);
   if (!image.isOk()) return image;
   const ImageSize found{image.value().width(), image.value().height()};
   if (found == size) return image;

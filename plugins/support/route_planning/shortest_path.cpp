@@ -113,7 +113,7 @@ MapGraph connectedTo(MapGraph graph, std::int64_t here) {
 
 Eigen::Vector3d placeOf(const Experience& experience) {
   const Eigen::Vector3d p = experience.T_world_experience.translation();
-  return {p.x(), p.z(), -p.y()};
+  return {p.x(), p.z(), 0 - p.y()};  // 0, not -0, on the ground
 }
 
 std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector3d& place) {

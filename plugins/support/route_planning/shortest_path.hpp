@@ -26,8 +26,9 @@ struct PlannedRoute {
 };
 
 /// Links are used in both directions; rejected links are not used. A loop link has no travel time
-/// of its own: its time is its length divided by the mean speed of the map. InvalidInput for
-/// experiences that do not exist or are not connected.
+/// of its own: its time, and that of an odometry link of duration 0, is its length divided by the
+/// mean speed of the links with a duration. InvalidInput for experiences that do not exist or are
+/// not connected.
 Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std::int64_t to);
 
 /// The map without the experiences that cannot be reached from `here`; the whole map for -1.

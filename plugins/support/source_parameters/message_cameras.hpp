@@ -23,6 +23,7 @@ struct CameraParameters : GivenPinhole {
   std::string right_info;
   double tolerance = 0.005;  // s; chosen, not tuned
   bool colour = false;
+  int bits = 16;
   OnCorrupt on_corrupt = OnCorrupt::Stop;
 };
 
@@ -51,6 +52,10 @@ constexpr auto cameraImages(std::string_view tolerance_doc, std::string_view on_
                      .doc(tolerance_doc),
                  parameter<P, bool>("colour", &P::colour)
                      .doc("Provide colour images; otherwise images are converted to grey."),
+                 parameter<P, int>("bits", &P::bits)
+                     .range(8, 16)
+                     .doc("Bits that images of 16 bits use, from the lowest; the 8 highest of them "
+                          "are taken."),
                  parameter<P, OnCorrupt>("on_corrupt", &P::on_corrupt).doc(on_corrupt_doc)),
       pinholeParameters<P>(
           "Focal length of rectified images, in place of CameraInfo; 0: by CameraInfo.",

@@ -136,7 +136,8 @@ TEST_CASE("damaged images stop the run at their frame, or give a frame without i
   REQUIRE(frames.size() == 4);
   CHECK(frames[1].left.empty());
   CHECK(frames[1].right.empty());
-  CHECK(data.anonymous(frames[1].defect) == expected);
+  // Without the advice that was taken.
+  CHECK(data.anonymous(frames[1].defect) + kRemedy == expected);
   CHECK(frames[1].stamp_ns == 100'000'000);
   CHECK(frames[2].defect.empty());
   CHECK_FALSE(frames[2].left.empty());

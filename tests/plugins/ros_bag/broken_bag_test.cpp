@@ -47,7 +47,36 @@ TEST_CASE("a recording that was killed stops the run, or is used as far as it go
   Played skipped(folder.path() / "a.mcap", kSkip);
   CHECK(skipped.message.empty());
   CHECK(skipped.frames.size() >= 4);
-  CHECK(skipped.context.log.size() == 1);
+  REQUIRE(skipped.context.log.size() == 1);
+  CHECK(skipped.context.log[0].find("the recording was cut off") != std::string::npos);
+  CHECK(skipped.context.log[0].ends_with("; what is damaged is left out"));
+  CHECK(skipped.context.log[0].find("on_corrupt") == std::string::npos);  // it is chosen
+  for (const std::string& finding : skipped.findings()) {
+    CHECK(finding.find("on_corrupt") == std::string::npos);
+  }
+}
+
+TEST_CASE("a bag of a camera of 10 bits is told of, with the bits to set") {
+  const test::TemporaryFolder folder;
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < 11; ++i) {
+    std::string pixels;
+    for (int p = 0; p < 48; ++p) pixels += std::string("\xfe\x03", 2);
+    messages.push_back({"/camera", std::string(kImage), stampOf(i),
+                        test::imageMessage({stampOf(i), 8, 6, "mono16", pixels})});
+  }
+  test::writeDb3(folder.path() / "a.db3", messages);
+  const Played played(folder.path() / "a.db3");
+  CHECK(played.frames.size() == 11);
+  REQUIRE(played.context.log.size() == 1);
+  CHECK(played.context.log[0].find("/camera: the values of the first 10 images of 16 bits stay "
+                                   "below 1024") != std::string::npos);
+  const Played right(folder.path() / "a.db3", {{"bits", std::int64_t{10}}});
+  CHECK(right.context.log.empty());
+  CHECK(right.frames[0].left.row(0)[0] == 255);
+  const Played low(folder.path() / "a.db3", {{"bits", std::int64_t{9}}});
+  REQUIRE(low.context.log.size() == 1);
+  CHECK(low.context.log[0].find("has values of more than 9 bits") != std::string::npos);
 }
 
 TEST_CASE("a damaged image in a sound bag") {

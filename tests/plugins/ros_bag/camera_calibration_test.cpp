@@ -93,9 +93,50 @@ TEST_CASE("calibration that is none") {
         "right one");
   test::RosCamera zero = test::plainCamera(640, 480, 0, 0);
   CHECK(message(zero, 640).find("was not calibrated") != std::string::npos);
+}
+
+TEST_CASE("a baseline that is none says what was found, and the remedy that helps") {
   const auto left = messageOf(test::plainCamera(640, 480, 500, 0));
-  CHECK(rectifiedRig({left, left}, 640, 480).status().message().find("exchange left and right") !=
-        std::string::npos);
+  const auto right = messageOf(test::plainCamera(640, 480, 500, 0.537));
+  const auto refusal = [](const CameraInfoMessage& one, const CameraInfoMessage& other) {
+    return rectifiedRig({one, other, "/l/camera_info", "/r/camera_info"}, 640, 480)
+        .status()
+        .message();
+  };
+  CHECK(refusal(left, right).empty());
+  CHECK(refusal(left, messageOf(test::plainCamera(640, 480, 500, 537))) ==
+        "/r/camera_info: has P[3] = -268500 and fx = 500, a baseline of 537 m; it must be 1 mm to "
+        "5 m: P[3] is -fx times the baseline in metres, not in mm or cm; correct it, or give fx "
+        "and baseline");
+  CHECK(refusal(right, left) ==
+        "/r/camera_info: has P[3] = 0 and fx = 500, a baseline of 0 m: that of a left camera; "
+        "exchange left and right");
+  CHECK(refusal(left, messageOf(test::plainCamera(640, 480, 500, -0.537))) ==
+        "/r/camera_info: has P[3] = 268.5 and fx = 500, a baseline of -0.537 m: that of a left "
+        "camera; exchange left and right");
+  CHECK(refusal(left, left) ==
+        "/r/camera_info: has P[3] = 0 and fx = 500, a baseline of 0 m: that of a single camera; "
+        "calibrate the two as a pair, give fx and baseline, or set mono: true");
+  CameraInfoMessage without = right;
+  without.P.fill(0);
+  CHECK(refusal(left, without).starts_with("/r/camera_info: has no P, so the baseline is not"));
+}
+
+TEST_CASE("the topic of the camera that is wrong is named") {
+  const auto left = messageOf(test::plainCamera(640, 480, 500, 0));
+  const auto small = messageOf(test::plainCamera(320, 240, 500, 0.2));
+  const auto message = [](CameraInfos infos) {
+    infos.left_name = "/l";
+    infos.right_name = "/r";
+    return rectifiedRig(infos, 640, 480).status().message();
+  };
+  CHECK(message({left, small}).starts_with("/r: is of 320x240 px"));
+  CHECK(message({small, left}).starts_with("/l: is of 320x240 px"));
+  CameraInfos raw = distorted(0.1);
+  raw.right->D = {1, 2, 3};
+  raw.left_name = "/l";
+  raw.right_name = "/r";
+  CHECK(rawRig(raw, 640, 480).status().message().starts_with("/r: has the model"));
 }
 
 }  // namespace tolman::ros_bag

@@ -69,6 +69,39 @@ TEST_CASE("a Bayer pattern of one colour is that colour") {
   }
 }
 
+TEST_CASE("of 16 bits as many are used as are said, and the largest value is found") {
+  // Values 0x0234, 0x03fe, 0x0080, 0x0100, of a camera of 10 bits.
+  const std::string ten("\x34\x02\xfe\x03\x80\x00\x00\x01", 8);
+  const auto as = [&](int bits) {
+    DeepPixels deep{bits};
+    const auto image =
+        convertImage(kRaw, asBytes(test::imageMessage({1, 2, 2, "mono16", ten})), false, deep);
+    REQUIRE(image.isOk());
+    CHECK(deep.largest == 0x3fe);
+    const Image& grey = image.value();
+    return std::vector<int>{grey.row(0)[0], grey.row(0)[1], grey.row(1)[0], grey.row(1)[1]};
+  };
+  CHECK(as(16) == std::vector<int>{2, 3, 0, 1});
+  CHECK(as(10) == std::vector<int>{0x234 >> 2, 0x3fe >> 2, 0x80 >> 2, 0x100 >> 2});
+  CHECK(as(9) == std::vector<int>{255, 255, 0x80 >> 1, 0x100 >> 1});
+}
+
+TEST_CASE("a compressed image of 16 bits is used alike, one of 8 bits as it is") {
+  const auto as = [](const cv::Mat& pixels, int bits, int largest) {
+    std::vector<std::uint8_t> png;
+    REQUIRE(cv::imencode(".png", pixels, png));
+    DeepPixels deep{bits};
+    const auto image = decodeImage({png.data(), png.size()}, false, deep);
+    REQUIRE(image.isOk());
+    CHECK(deep.largest == largest);
+    return int{image.value().row(0)[0]};
+  };
+  const cv::Mat deep(4, 4, CV_16UC1, cv::Scalar(0x234));
+  CHECK(as(deep, 16, 0x234) == 2);
+  CHECK(as(deep, 10, 0x234) == 0x8d);
+  CHECK(as(cv::Mat(4, 4, CV_8UC1, cv::Scalar(77)), 10, -1) == 77);
+}
+
 TEST_CASE("16 bit, rows with bytes behind them, and YUV") {
   test::RosImage deep{1, 2, 2, "mono16", std::string("\x34\x12\xff\xfe\x00\x80\x00\x01", 8)};
   auto grey = convert(deep, false);

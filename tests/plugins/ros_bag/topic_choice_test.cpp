@@ -50,6 +50,12 @@ TEST_CASE("one camera, a pair, and the same images twice") {
   CHECK(chosen(topics, mono) == "/cam0/image_raw/compressed - /cam0/camera_info - - - ");
 }
 
+TEST_CASE("a bag of depth alone is told as such") {
+  Topics topics;
+  add(topics, "/camera/depth", kImage, "32FC1");
+  CHECK(chosen(topics).starts_with("the bag has images of depth only (/camera/depth); record "));
+}
+
 TEST_CASE("depth is no camera, and is taken where it is named") {
   Topics topics;
   add(topics, "/camera/color", kImage);

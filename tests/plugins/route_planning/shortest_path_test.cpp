@@ -2,6 +2,7 @@
 #include "shortest_path.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "tolman/context.hpp"
@@ -180,4 +181,19 @@ TEST_CASE("only what a route leads to is connected") {
   CHECK(idsFrom(4) == std::vector<std::int64_t>{2, 3, 4});
   CHECK(idsFrom(-1).size() == 5);
   CHECK(nearestExperience(connectedTo(graph, 0), {4, 10, 0}) == 1);
+}
+
+TEST_CASE("an odometry link without a time costs its length at the mean speed of those with one") {
+  MapGraph graph = graphOf(4);
+  connect(graph, 0, 1, 2, 6);
+  connect(graph, 1, 2, 0, 9);  // both ends at one moment, as where a session begins
+  connect(graph, 2, 3, 1, 3);
+  const auto route = fastestRoute(graph, 0, 3);
+  REQUIRE(route.isOk());
+  CHECK(route.value().seconds() == Approx(2 + 9 / 3.0 + 1));
+  CHECK(route.value().metres() == Approx(18));
+}
+
+TEST_CASE("a place on the ground has the height 0, not -0") {
+  CHECK_FALSE(std::signbit(placeOf(Experience()).z()));
 }

@@ -103,6 +103,9 @@ TEST_CASE("/api/plan leads from here, or from a place, to the experience nearest
   CHECK(home["seconds"].is_null());  // the links of this map have no duration
   CHECK(home["legs"][2]["seconds"].is_null());
   CHECK(ask(watched, "/api/plan?to=0%2C11&from=0")["legs"].size() == 2);
+  CHECK(ask(watched, "/api/plan?to=%31&from=%30")["to"] == 1);
+  CHECK(ask(watched, "/api/plan?to=0,%2011&from=h%65re")["to"] == 1);
+  CHECK(ask(watched, "/api/plan?to=0,+11")["to"] == 1);
   CHECK(ask(watched, "/api/plan?from=here&to=2")["legs"].size() == 1);
   CHECK(ask(watched, "/api/plan?to=0,11,5&from=0,0")["to"] == 1);
   CHECK_THAT(ask(watched, "/api/plan?to=3", 404)["error"].get<std::string>(),
@@ -126,6 +129,10 @@ TEST_CASE("a plan that is asked for wrongly is refused with what to give") {
                             "?to=1e10,0",
                             "?to=1;2",
                             "?to=1%2C",
+                            "?to=%",
+                            "?to=1%3",
+                            "?to=%zz",
+                            "?to=1%20,",
                             "?to=%2C%2C",
                             "?to=1&to=2",
                             "?from=here",

@@ -55,6 +55,26 @@ TEST_CASE("frame and graph wait until they are asked for") {
   CHECK(pending.rows.empty());
 }
 
+TEST_CASE("the newest pose moves with the final graph, and stays at its place in it") {
+  Handover handover(false);
+  TestFrame last(24);
+  last.map.experience = 2;
+  last.map.T_experience_camera.translation() << 0, 0, 4;
+  (void)handover.put(last.snapshot());
+  MapGraph graph = test::graphAt(24);
+  const Eigen::AngleAxisd turn(0.5, Eigen::Vector3d::UnitY());
+  graph.experiences[2].T_world_experience.linear() = turn.toRotationMatrix();
+  graph.experiences[2].T_world_experience.translation() << 1, 0, 19;
+  handover.putGraph(graph);
+  PendingData pending;
+  handover.take(pending, true, true);
+  CHECK(pending.pose.frame == 24);
+  // By hand: 4 m ahead of an experience that looks 0.5 rad to the right.
+  const Eigen::Vector3d p = pending.pose.T_world_camera.translation();
+  CHECK(p.x() == Approx(1 + 4 * std::sin(0.5)));
+  CHECK(p.z() == Approx(19 + 4 * std::cos(0.5)));
+}
+
 TEST_CASE("events and template images are bounded in number") {
   Handover handover(false);
   TestFrame test_frame(0);

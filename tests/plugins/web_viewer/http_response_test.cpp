@@ -62,6 +62,8 @@ TEST_CASE("history: any part of the rows, by numbers that are whole and not nega
     CAPTURE(query);
     CHECK(statusOf(store, std::string("/api/history") + query) == 400);
   }
+  CHECK(respond("GET", "/api/history?from=%31&count=%35", store).body ==
+        respond("GET", "/api/history?from=1&count=5", store).body);
 }
 
 TEST_CASE("a frame's message is the last stored one up to it") {

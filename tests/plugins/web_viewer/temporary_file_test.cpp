@@ -82,7 +82,11 @@ TEST_CASE("the file has no name, so that nothing is left when the process dies")
 
 TEST_CASE("a folder that is not there is named in the error") {
   const OtherTemporaryFolder there("/nowhere-at-all");
-  CHECK_THROWS_AS(TemporaryFile(), std::exception);
+  CHECK_THROWS_WITH(TemporaryFile(),
+                    "/nowhere-at-all: cannot hold temporary files; set TMPDIR to a folder that "
+                    "exists and can be written: No such file or directory");
+  const OtherTemporaryFolder none("/proc");
+  CHECK_THROWS_WITH(TemporaryFile(), Catch::StartsWith("/proc: cannot hold temporary files; set "));
 }
 
 }  // namespace tolman::web_viewer
