@@ -123,9 +123,11 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
   point.v = candidate.v;
   point.pattern = candidate.pattern;
   point.inverse_depth = std::max(candidate.inverse_depth, 1e-5F);  // 1/m; stays in front
-  const StereoGeometry stereo{static_cast<float>(rig.pinhole.fx * rig.baseline),
-                              static_cast<float>(window.offset.value()), keyframe.right_gain,
-                              keyframe.right_offset};
+  StereoGeometry stereo{static_cast<float>(rig.pinhole.fx * rig.baseline), 0, keyframe.right_gain,
+                        keyframe.right_offset};
+  const float disparity = stereo.focal_baseline * point.inverse_depth;
+  stereo.offset = static_cast<float>(window.field.at(static_cast<double>(point.u - disparity),
+                                                     point.v, static_cast<double>(disparity)));
   const bool use_stereo = keyframe.has_right && settings.lambda > 0;
   for (int i = 0; i < kIterations; ++i) {
     auto [information, gradient, good, seen] = temporalDepthSums(rig, window, host, pairs, point);

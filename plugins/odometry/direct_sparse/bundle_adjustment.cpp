@@ -30,7 +30,7 @@ StepSize apply(Window& window, const SystemVector& step) {
     size.a += part[6] * part[6];
     size.b += part[7] * part[7];
   }
-  window.offset.change += step[kOffsetIndex];
+  window.field.move(step.tail<kFieldVariables>());
   const double frames = window.size();
   return {std::sqrt(size.metres / frames), std::sqrt(size.radians / frames),
           std::sqrt(size.a / frames), std::sqrt(size.b / frames)};
@@ -71,6 +71,7 @@ AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& se
     result.iterations = i + 1;
     result.energy = system.energy();
     result.residuals = system.residuals();
+    if (i == 0) window.moments.add(system.moments());
     const SystemVector step = solve(window, system.H(), system.b(), settings.scale);
     const double depth_change = system.applyToDepths(window, step);
     const StepSize size = apply(window, step);

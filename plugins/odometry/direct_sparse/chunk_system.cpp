@@ -19,9 +19,16 @@ TOLMAN_INLINE void add(Eight value, float* sum) {
   std::memcpy(sum, &value, sizeof value);
 }
 
-/// The column after that of the offset, within the padding behind the columns of the slots.
-constexpr std::size_t kGradientIndex = kOffsetIndex + 1;
+/// The column after those of the field, within the padding behind the columns of the slots.
+constexpr std::size_t kGradientIndex = kOffsetIndex + kFieldVariables;
 static_assert(kGradientIndex < kPadded);
+constexpr auto kFields = static_cast<std::size_t>(kFieldVariables);
+
+void coupleField(float weight, const ChunkSystem::FieldTerms& by_field, PointTerms& terms) {
+  for (std::size_t k = 0; k < kFields; ++k) {
+    terms.coupling[kOffsetIndex + k] += weight * by_field[static_cast<int>(k)];
+  }
+}
 
 }  // namespace
 
@@ -32,8 +39,9 @@ void ChunkSystem::clear(int host) {
     for (auto& row : block) row.fill(0);
   }
   for (auto& row : schur_) row.fill(0);
-  offset_information = 0;
-  offset_gradient = 0;
+  field_information.setZero();
+  field_gradient.setZero();
+  moments = ScaleMoments<float>();
   energy = 0;
   residuals = 0;
   histogram.fill(0);
@@ -87,7 +95,7 @@ TOLMAN_WIDE_LANES void ChunkSystem::addTemporal(int target, const PairGeometry& 
 TOLMAN_WIDE_LANES void ChunkSystem::addSighting(int target, const PairGeometry& pair,
                                                 const PixelSums& s, const Sighting& sighting,
                                                 float focal_baseline, float lambda,
-                                                PointTerms& terms) {
+                                                const FieldTerms& by_field, PointTerms& terms) {
   const float xx = lambda * s.xx;
   const float xr = lambda * s.xr;
   const Eight by_twist = -focal_baseline * loadEight(sighting.by_twist.data());
@@ -97,14 +105,16 @@ TOLMAN_WIDE_LANES void ChunkSystem::addSighting(int target, const PairGeometry& 
   for (std::size_t i = 2; i < 5; ++i) {  // only z, pitch and yaw change the depth
     add(by_twist[i] * xx * by_twist, block[i].data());
     block[i][8] += by_twist[i] * xr;
-    block[i][9] += by_twist[i] * xx;
+    const float weight = by_twist[i] * xx;
+    for (std::size_t k = 0; k < kFields; ++k) {
+      block[i][9 + k] += weight * by_field[static_cast<int>(k)];
+    }
   }
   targets_ |= 1U << slot;
   terms.information += by_depth * by_depth * xx;
   terms.gradient += by_depth * xr;
-  terms.coupling[kOffsetIndex] += by_depth * xx;
-  offset_information += xx;
-  offset_gradient += xr;
+  coupleField(by_depth * xx, by_field, terms);
+  addToField(xx, xr, by_field);
   couple(target, pair, by_depth * xx * by_twist, terms);
 }
 
@@ -122,15 +132,21 @@ TOLMAN_INLINE void ChunkSystem::couple(int target, const PairGeometry& pair, con
   terms.slots |= (1U << slot) | (1U << static_cast<unsigned>(host_));
 }
 
+void ChunkSystem::addToField(float xx, float xr, const FieldTerms& by_field) {
+  for (int column = 0; column < kFieldVariables; ++column) {
+    field_information.col(column) += xx * by_field[column] * by_field;
+  }
+  field_gradient += xr * by_field;
+}
+
 void ChunkSystem::addStereo(const PixelSums& s, float focal_baseline, float lambda,
-                            PointTerms& terms) {
+                            const FieldTerms& by_field, PointTerms& terms) {
   const float xx = lambda * s.xx;
   const float xr = lambda * s.xr;
   terms.information += focal_baseline * focal_baseline * xx;
   terms.gradient -= focal_baseline * xr;
-  terms.coupling[kOffsetIndex] -= focal_baseline * xx;
-  offset_information += xx;
-  offset_gradient += xr;
+  coupleField(-focal_baseline * xx, by_field, terms);
+  addToField(xx, xr, by_field);
   ++terms.good;
 }
 
@@ -155,7 +171,8 @@ void ChunkSystem::eliminate(std::span<PointTerms> points) {
 /// the four is coupled with.
 TOLMAN_WIDE_LANES void ChunkSystem::eliminateFour(const FourPoints& points) {
   constexpr std::size_t n = kFrameVariables;
-  constexpr std::uint32_t kLast = 1U << kSlots;  // the disparity offset and the gradient
+  // The field and the gradient, which together have two groups of columns.
+  constexpr std::uint32_t kLast = 3U << kSlots;
   std::array<const float*, 4> c{};
   std::array<float, 4> inverse{};
   std::uint32_t all = kLast;
@@ -180,7 +197,7 @@ TOLMAN_WIDE_LANES void ChunkSystem::eliminateFour(const FourPoints& points) {
     const std::size_t begin = n * static_cast<std::size_t>(std::countr_zero(slots));
     for (std::size_t i = begin; i < begin + n; ++i) addRow(i, slots);
   }
-  addRow(kOffsetIndex, kLast);
+  for (std::size_t k = 0; k < kFields; ++k) addRow(kOffsetIndex + k, kLast);
 }
 
 float ChunkSystem::schurGradient(std::size_t i) const { return schur_[i][kGradientIndex]; }

@@ -67,6 +67,8 @@ Status DirectSparse::configure(const Context& context) {
       static_cast<int>(std::clamp(disparity + 1, 8.0, static_cast<double>(kMaxDisparities)));
   settings.marginal_weight = parameters_.marginal_weight;
   settings.offset_sigma = parameters_.offset_sigma;
+  settings.column_sigma = parameters_.offset_sigma > 0 ? parameters_.column_sigma : 0;
+  settings.calibration_distance = parameters_.calibration_distance;
   settings.row_sigma = cameras_ == Cameras::Stereo ? parameters_.row_sigma : 0;
   settings.adjustment.iterations = parameters_.iterations;
   settings.adjustment.system.lambda = static_cast<float>(parameters_.coupling);

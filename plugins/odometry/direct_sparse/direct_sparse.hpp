@@ -27,7 +27,7 @@ class DirectSparse : public Odometry {
   Status finish(std::vector<MotionRevision>& revisions) override;
 
   /// Estimated offset of all disparities, px.
-  double disparityOffset() const { return mapper_.window().offset.value(); }
+  double disparityOffset() const { return mapper_.window().field.offset(); }
 
  private:
   Status checkRig() const;

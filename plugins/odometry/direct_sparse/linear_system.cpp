@@ -18,12 +18,12 @@ constexpr std::size_t kAhead = 3;  // how many points ahead pixels are prefetche
 /// ones is fetched while others are placed. Chosen, not tuned.
 constexpr std::size_t kBatch = 16;
 
-using RelativeSum = Eigen::Matrix<double, 8, 10>;
+using RelativeSum = Eigen::Matrix<double, 8, 9 + kFieldVariables>;
 
 RelativeSum symmetric(const ChunkSystem::RelativeBlock& block) {
   RelativeSum sum;
   for (int r = 0; r < 8; ++r) {
-    for (int c = 0; c < 10; ++c) {
+    for (int c = 0; c < 9 + kFieldVariables; ++c) {
       const bool lower = c < r;
       sum(r, c) =
           lower ? block[indexOfSlot(c)][indexOfSlot(r)] : block[indexOfSlot(r)][indexOfSlot(c)];
@@ -46,12 +46,30 @@ void mapToAbsolute(int host, int target, const PairGeometry& pair, const Relativ
   H.block<8, 8>(t, h) += across.transpose();
   b.segment<8>(t) += g;
   b.segment<8>(h) += M.transpose() * g;
-  const Vector8d offset = sum.col(9);
-  const Vector8d across_offset = M.transpose() * offset;
-  H.block<8, 1>(t, kOffsetIndex) += offset;
-  H.block<8, 1>(h, kOffsetIndex) += across_offset;
-  H.block<1, 8>(kOffsetIndex, t) += offset.transpose();
-  H.block<1, 8>(kOffsetIndex, h) += across_offset.transpose();
+  const Eigen::Matrix<double, 8, kFieldVariables> field = sum.rightCols<kFieldVariables>();
+  const Eigen::Matrix<double, 8, kFieldVariables> across_field = M.transpose() * field;
+  H.block<8, kFieldVariables>(t, kOffsetIndex) += field;
+  H.block<8, kFieldVariables>(h, kOffsetIndex) += across_field;
+  H.block<kFieldVariables, 8>(kOffsetIndex, t) += field.transpose();
+  H.block<kFieldVariables, 8>(kOffsetIndex, h) += across_field.transpose();
+}
+
+/// The right image where errors of disparities displace the point, and derivatives of its column.
+struct Displaced {
+  StereoGeometry stereo;
+  float disparity = 0;  ///< px, without errors
+  ChunkSystem::FieldTerms by_field;
+};
+
+Displaced displaced(const DisparityField& field, const StereoGeometry& stereo, const Point& point) {
+  Displaced there;
+  there.stereo = stereo;
+  there.disparity = stereo.focal_baseline * point.inverse_depth;
+  const SmoothField::Terms terms = field.termsAt(static_cast<double>(point.u - there.disparity),
+                                                 point.v, static_cast<double>(there.disparity));
+  there.stereo.offset = static_cast<float>(field.sum(terms));
+  there.by_field = terms.cast<float>();
+  return there;
 }
 
 /// Slot of the newest keyframe, other than the host, that has a right image and sees the point; -1
@@ -93,9 +111,8 @@ void LinearSystem::prepare(const CameraRig& rig, const Window& window,
   stereos_.resize(kSlots);
   for (const int host : window.order()) {
     const Keyframe& keyframe = window.keyframe(host);
-    stereos_[indexOfSlot(host)] = {static_cast<float>(rig.pinhole.fx * rig.baseline),
-                                   static_cast<float>(window.offset.value()), keyframe.right_gain,
-                                   keyframe.right_offset};
+    stereos_[indexOfSlot(host)] = {static_cast<float>(rig.pinhole.fx * rig.baseline), 0,
+                                   keyframe.right_gain, keyframe.right_offset};
     for (const int target : window.order()) {
       if (host == target) continue;
       pairs_[indexOfSlot(host * kSlots + target)] =
@@ -170,10 +187,12 @@ void LinearSystem::addRight(const SystemSettings& settings, Window& window, cons
     }
     Point& point = points[k];
     if (point.stereo == ResidualState::Absent) continue;
-    const bool inside = stereoSums(stereo, keyframe.right.level(0), point, sums);
+    const Displaced there = displaced(window.field, stereo, point);
+    const bool inside = stereoSums(there.stereo, keyframe.right.level(0), point, sums);
     point.stereo = inside ? system.judge(sums, window.energy_threshold) : ResidualState::Outside;
     if (point.stereo != ResidualState::Good) continue;
-    system.addStereo(sums, stereo.focal_baseline, settings.lambda, terms[k]);
+    system.moments.add(sums.xx, there.disparity, there.by_field);
+    system.addStereo(sums, stereo.focal_baseline, settings.lambda, there.by_field, terms[k]);
   }
 }
 
@@ -195,11 +214,13 @@ void LinearSystem::addSightings(const CameraRig& rig, const SystemSettings& sett
     point.pattern = patternAt(keyframe.left.level(0), sighting.u, sighting.v);
     const StereoGeometry& stereo = stereos_[indexOfSlot(target)];
     PixelSums sums;
-    if (!stereoSums(stereo, keyframe.right.level(0), point, sums)) continue;
+    const Displaced there = displaced(window.field, stereo, point);
+    if (!stereoSums(there.stereo, keyframe.right.level(0), point, sums)) continue;
     if (system.judge(sums, window.energy_threshold) != ResidualState::Good) continue;
     const PairGeometry& pair = pairs_[indexOfSlot(chunk.range.host * kSlots + target)];
+    system.moments.add(sums.xx, there.disparity, there.by_field);
     system.addSighting(target, pair, sums, sighting, stereo.focal_baseline, settings.lambda,
-                       terms[k]);
+                       there.by_field, terms[k]);
   }
 }
 
@@ -227,6 +248,7 @@ void LinearSystem::sumUp(const Window& window) {
   b_.setZero();
   energy_ = 0;
   residuals_ = 0;
+  moments_ = ScaleMoments<double>();
   SystemMatrix schur = SystemMatrix::Zero();
   std::vector<RelativeSum> relative(kSlots * kSlots, RelativeSum::Zero());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
@@ -241,8 +263,10 @@ void LinearSystem::sumUp(const Window& window) {
       }
       b_[r] -= system.schurGradient(indexOfSlot(r));
     }
-    H_(kOffsetIndex, kOffsetIndex) += system.offset_information;
-    b_[kOffsetIndex] += system.offset_gradient;
+    H_.bottomRightCorner<kFieldVariables, kFieldVariables>() +=
+        system.field_information.cast<double>();
+    b_.tail<kFieldVariables>() += system.field_gradient.cast<double>();
+    moments_.add(system.moments);
     energy_ += system.energy;
     residuals_ += system.residuals;
   }
@@ -265,7 +289,8 @@ double LinearSystem::applyToDepths(Window& window, const SystemVector& step) con
     for (int k = chunk.range.begin; k < chunk.range.end; ++k) {
       const PointTerms& terms = terms_[chunk.first_term + indexOfSlot(k - chunk.range.begin)];
       Point& point = keyframe.points[indexOfSlot(k)];
-      float dot = terms.gradient + terms.coupling[kOffsetIndex] * x[kOffsetIndex];
+      float dot = terms.gradient;
+      for (int i = kOffsetIndex; i < kVariables; ++i) dot += terms.coupling[indexOfSlot(i)] * x[i];
       for (int slot = 0; slot < kSlots; ++slot) {
         if (((terms.slots >> static_cast<unsigned>(slot)) & 1U) == 0) continue;
         const float* c = terms.coupling.data() + kFrameVariables * slot;
@@ -316,7 +341,7 @@ SystemVector changes(const Window& window) {
   for (const int slot : window.order()) {
     x.segment<kFrameVariables>(kFrameVariables * slot) = window.keyframe(slot).change;
   }
-  x[kOffsetIndex] = window.offset.change;
+  x.tail<kFieldVariables>() = window.field.changes();
   return x;
 }
 
@@ -333,8 +358,15 @@ SystemVector scaleDirection(const Window& window) {
 
 SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
                    Scale scale) {
+  constexpr double kHold =
+      1e8;  // much more than any information: a standard deviation of 0.0004 px
   SystemMatrix whole = H + window.prior.H;
   SystemVector rhs = -(b + window.prior.b + window.prior.H * changes(window));
+  // A common factor of the disparities is the calibration's to know: images of a drive do not.
+  const SmoothField::Terms factor = window.moments.factorDirection();
+  whole.bottomRightCorner<kFieldVariables, kFieldVariables>() +=
+      kHold * factor * factor.transpose();
+  rhs.tail<kFieldVariables>() -= kHold * factor * factor.dot(window.field.changes());
   // The pose of the whole window is not observable: the oldest keyframe is fixed.
   const int held = window.empty() ? kVariables : kFrameVariables * window.order().front();
   for (int i = 0; i < kVariables; ++i) {

@@ -41,6 +41,8 @@ class LinearSystem {
   const SystemVector& b() const { return b_; }
   double energy() const { return energy_; }
   int residuals() const { return residuals_; }
+  /// Of the static residuals.
+  const ScaleMoments<double>& moments() const { return moments_; }
   /// Back-substitution: adds to each inverse depth the change that belongs to `step`. Returns the
   /// mean relative change.
   double applyToDepths(Window& window, const SystemVector& step) const;
@@ -87,6 +89,7 @@ class LinearSystem {
   SystemVector b_ = SystemVector::Zero();
   double energy_ = 0;
   int residuals_ = 0;
+  ScaleMoments<double> moments_;
 };
 
 /// Whether the residuals determine the scale of the scene.

@@ -24,6 +24,8 @@ constexpr double kGreyVariance = 16;
 void Mapper::configure(const CameraRig& rig, const MapperSettings& settings) {
   rig_ = rig;
   settings_ = settings;
+  window_.field.configure(rig.width, rig.height, rig.pinhole.fx, rig.pinhole.fx * rig.baseline,
+                          settings.calibration_distance);
   rows_.configure(rig.width, rig.height, settings.row_sigma);
   reset();
 }
@@ -36,9 +38,15 @@ void Mapper::reset() {
   adjustment_ = AdjustmentResult();
 }
 
-void Mapper::setOffsetPrior() {
-  const double sigma = std::max(settings_.offset_sigma, 1e-6);  // px; keeps the division finite
-  window_.prior.H(kOffsetIndex, kOffsetIndex) = kGreyVariance / (sigma * sigma);
+void Mapper::setFieldPrior() {
+  constexpr double kLeast = 1e-6;  // px; keeps the division finite
+  for (int k = 0; k < kFieldVariables; ++k) {
+    const int degree = SmoothField::kDegrees[static_cast<std::size_t>(k)];
+    const double wanted =
+        degree == 0 ? settings_.offset_sigma : settings_.column_sigma / (1 + degree);
+    const double sigma = std::max(wanted, kLeast);
+    window_.prior.H(kOffsetIndex + k, kOffsetIndex + k) = kGreyVariance / (sigma * sigma);
+  }
 }
 
 Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
@@ -48,7 +56,7 @@ Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_ca
   keyframe.T0_camera_world = T_world_camera.inverse();
   keyframe.affine0 = affine;
   std::swap(keyframe.left, left);
-  if (window_.size() == 1) setOffsetPrior();
+  if (window_.size() == 1) setFieldPrior();
   selectCandidates(keyframe);
   return keyframe;
 }
@@ -110,13 +118,15 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
   balanceRight(keyframe, search);
   if (rows_.isOn()) learnRows(keyframe, search.gain);
   const auto focal_baseline = static_cast<float>(rig_.pinhole.fx * rig_.baseline);
-  const auto offset = static_cast<float>(window_.offset.value());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
     // Removed: without a clear match in its row, a point has no depth to begin with.
     if (!matches_[i]) continue;
     ImmaturePoint& point = keyframe.immature[i];
-    point.inverse_depth = std::max((matches_[i]->disparity + offset) / focal_baseline, 1e-5F);
+    const float disparity = matches_[i]->disparity;
+    const auto error = static_cast<float>(window_.field.at(
+        static_cast<double>(point.u - disparity), point.v, static_cast<double>(disparity)));
+    point.inverse_depth = std::max((disparity + error) / focal_baseline, 1e-5F);
     point.sigma = matches_[i]->sigma / focal_baseline;
     point.quality = matches_[i]->quality;
     point.has_depth = true;

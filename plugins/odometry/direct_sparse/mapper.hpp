@@ -17,13 +17,15 @@ namespace tolman::direct_sparse {
 
 /// DirectSparse::configure() sets all of them from the parameters, whose defaults are different.
 struct MapperSettings {
-  int points = 2000;              ///< in the window
-  int candidates = 1500;          ///< per keyframe
-  int window = 7;                 ///< keyframes
-  int max_disparity = 160;        ///< px
-  double marginal_weight = 0.06;  ///< of marginalised points in the prior
-  double offset_sigma = 0;        ///< px, 0: the disparity offset is not estimated
-  double row_sigma = 0;           ///< px, 0: errors of the rows are not estimated
+  int points = 2000;                ///< in the window
+  int candidates = 1500;            ///< per keyframe
+  int window = 7;                   ///< keyframes
+  int max_disparity = 160;          ///< px
+  double marginal_weight = 0.06;    ///< of marginalised points in the prior
+  double offset_sigma = 0;          ///< px, 0: the disparity offset is not estimated
+  double column_sigma = 0;          ///< px, 0: only an offset of the disparities is estimated
+  double calibration_distance = 0;  ///< m, 0: an offset is never compensated
+  double row_sigma = 0;             ///< px, 0: errors of the rows are not estimated
   AdjustmentSettings adjustment;
 };
 
@@ -64,7 +66,7 @@ class Mapper {
  private:
   Keyframe& insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                    const Affine& affine, ImagePyramid& left);
-  void setOffsetPrior();
+  void setFieldPrior();
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
   void collectGreyPairs(const Keyframe& keyframe);

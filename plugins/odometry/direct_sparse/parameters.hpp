@@ -24,6 +24,8 @@ struct Parameters {
   double marginal_weight = 0.06;    // chosen, not tuned; 0 to 1 are alike on KITTI 01
   double largest_adjustment = 0.5;  // m; chosen, not tuned
   double offset_sigma = 1;          // px; as rigs are off (docs/odometry.md)
+  double column_sigma = 0.3;        // px; chosen on the town, docs/odometry.md
+  double calibration_distance = 4;  // m; boards at 2 to 6 m, where they fill a part of the image
   double row_sigma = 1;             // px; KITTI 06 and raw 0001 are off by 1.5 px in the corners
   double camera_height = 1.65;      // m; KITTI's car
 
@@ -72,7 +74,20 @@ struct Parameters {
                 .range(0, 5)
                 .unit("px")
                 .doc("Standard deviation of an offset that all disparities share, which is "
-                     "estimated; 0: no offset."),
+                     "estimated; 0: no offset and no other errors of disparities."),
+            parameter<P, double>("column_sigma", &P::column_sigma)
+                .range(0, 5)
+                .unit("px")
+                .doc(
+                    "Standard deviation of horizontal errors of the rectification, which are "
+                    "estimated as a smooth field over the right image; for terms of degree n it is "
+                    "divided by n + 1. 0: only an offset."),
+            parameter<P, double>("calibration_distance", &P::calibration_distance)
+                .range(0, 1000)
+                .unit("m")
+                .doc("Distance at which the rig was calibrated: there its disparities are right "
+                     "although they have an offset, unless a camera has turned since. 0: an offset "
+                     "is the same at all distances."),
             parameter<P, double>("row_sigma", &P::row_sigma)
                 .range(0, 5)
                 .unit("px")

@@ -52,7 +52,8 @@ StereoAgreement compareWithStereo(const CameraRig& rig, const Window& window,
     if (!there) continue;
     const auto match = matchStereo(left, right, there->u, there->v, search);
     if (!match) continue;
-    const double measured = static_cast<double>(match->disparity) + window.offset.value();
+    const auto disparity = static_cast<double>(match->disparity);
+    const double measured = disparity + window.field.at(there->u - disparity, there->v, disparity);
     ++agreement.compared;
     const double error = std::fabs(measured - there->disparity);
     agreement.agreeing += error < kSlack + kShare * measured ? 1 : 0;

@@ -9,7 +9,8 @@ namespace tolman::direct_sparse {
 void Window::clear() {
   order_.clear();
   prior = Prior();
-  offset = DisparityOffset();
+  field.clear();
+  moments = ScaleMoments<double>();
   energy_threshold = kFirstThreshold;
 }
 

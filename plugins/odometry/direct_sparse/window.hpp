@@ -6,16 +6,18 @@
 #include <array>
 #include <vector>
 
+#include "disparity_field.hpp"
 #include "keyframe.hpp"
 #include "tolman/camera.hpp"
 
 namespace tolman::direct_sparse {
 
 /// Variables of the linear system: eight per slot (6 for the pose, affine brightness a and b), then
-/// the disparity offset.
+/// the coefficients of the field of disparity errors, of which the first is an offset.
 inline constexpr int kFrameVariables = 8;
 inline constexpr int kOffsetIndex = kSlots * kFrameVariables;
-inline constexpr int kVariables = kOffsetIndex + 1;
+inline constexpr int kFieldVariables = SmoothField::kTerms;
+inline constexpr int kVariables = kOffsetIndex + kFieldVariables;
 
 using SystemMatrix = Eigen::Matrix<double, kVariables, kVariables>;
 using SystemVector = Eigen::Matrix<double, kVariables, 1>;
@@ -25,14 +27,6 @@ using SystemVector = Eigen::Matrix<double, kVariables, 1>;
 struct Prior {
   SystemMatrix H = SystemMatrix::Zero();
   SystemVector b = SystemVector::Zero();
-};
-
-/// Error of the rectification that all disparities share. It is the only calibration parameter that
-/// the window estimates. A wrong offset makes all depths wrong, and so the scale of the motion.
-struct DisparityOffset {
-  double first = 0;   ///< px, first estimate, at which Jacobians are evaluated
-  double change = 0;  ///< px, estimated change from `first`
-  double value() const { return first + change; }
 };
 
 /// Index in arrays that have an element for each slot.
@@ -64,7 +58,8 @@ class Window {
   std::size_t pointCount() const;
 
   Prior prior;
-  DisparityOffset offset;
+  DisparityField field;
+  ScaleMoments<double> moments;              ///< of all static residuals since the window began
   float energy_threshold = kFirstThreshold;  ///< a residual of larger pattern energy is an outlier
 
  private:

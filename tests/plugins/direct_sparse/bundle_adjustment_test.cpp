@@ -23,7 +23,7 @@ std::unique_ptr<Window> held() {
   test::addTruePoints(*window, 250);
   window->prior.H.diagonal().head<8>().setConstant(1e13);
   window->keyframe(0).has_prior = true;
-  window->prior.H(kOffsetIndex, kOffsetIndex) = 1e13;
+  window->prior.H.diagonal().tail<kFieldVariables>().setConstant(1e13);
   return window;
 }
 
@@ -104,16 +104,16 @@ TEST_CASE("an offset of all disparities is found when it is let free, and ruins 
   const auto shiftedWindow = [](double hold) {
     auto window = held();
     window->prior.H(kOffsetIndex, kOffsetIndex) = hold;
-    window->offset.first = -0.5;  // believed, while the images have none
+    window->field.believe(-0.5);  // believed, while the images have none
     return window;
   };
   LinearSystem system;
   const auto free_window = shiftedWindow(1e-3);
   adjustWindow(test::streetRig(), settings(20), *free_window, system);
-  CHECK(free_window->offset.value() == Approx(0).margin(0.25));
+  CHECK(free_window->field.offset() == Approx(0).margin(0.25));
   const auto held_window = shiftedWindow(1e13);
   adjustWindow(test::streetRig(), settings(20), *held_window, system);
-  CHECK(held_window->offset.value() == Approx(-0.5));
+  CHECK(held_window->field.offset() == Approx(-0.5));
 }
 
 TEST_CASE("points that contradict the images are given up") {

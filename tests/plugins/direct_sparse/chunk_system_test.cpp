@@ -52,6 +52,13 @@ struct Pixels {
   }
 };
 
+/// Derivatives of a column by the field; the first is not one where an offset is compensated.
+ChunkSystem::FieldTerms someTerms() {
+  ChunkSystem::FieldTerms terms;
+  terms << 0.9F, 0.3F, -0.4F, 0.2F, -0.7F, 0.1F, 0.5F, -0.2F, 0.6F, -0.8F;
+  return terms;
+}
+
 CentreJacobian someJacobian() {
   CentreJacobian C;
   C.u_by_twist = {30, 0, -4, -20, 700, -15};
@@ -118,19 +125,25 @@ TEST_CASE("a residual's blocks are those of its pixels' derivatives") {
   CHECK(terms.good == 1);
 }
 
-TEST_CASE("a static residual couples the depth with the disparity offset alone") {
+TEST_CASE("a static residual couples the depth with the field of disparity errors alone") {
   ChunkSystem system;
   PointTerms terms;
   system.clear(0);
   PixelSums sums;
   sums.xx = 30;
   sums.xr = -6;
-  system.addStereo(sums, 400, 1.5F, terms);
+  const ChunkSystem::FieldTerms by_field = someTerms();
+  system.addStereo(sums, 400, 1.5F, by_field, terms);
   CHECK(terms.information == Approx(400.0F * 400 * 1.5F * 30));
   CHECK(terms.gradient == Approx(400 * 1.5F * 6));
-  CHECK(terms.coupling[kOffsetIndex] == Approx(-400 * 1.5F * 30));
-  CHECK(system.offset_information == Approx(45));
-  CHECK(system.offset_gradient == Approx(-9));
+  for (int i = 0; i < kFieldVariables; ++i) {
+    const auto column = static_cast<std::size_t>(kOffsetIndex + i);
+    CHECK(terms.coupling[column] == Approx(-400 * 1.5F * 30 * by_field[i]));
+    CHECK(system.field_gradient[i] == Approx(-9 * by_field[i]));
+    for (int k = 0; k < kFieldVariables; ++k) {
+      CHECK(system.field_information(i, k) == Approx(45 * by_field[i] * by_field[k]));
+    }
+  }
   CHECK(terms.slots == 0);
 }
 
@@ -143,7 +156,7 @@ TEST_CASE("elimination is the Schur complement of the depth") {
   PixelSums stereo;
   stereo.xx = 0.02F;
   stereo.xr = 0.01F;
-  system.addStereo(stereo, 300, 1, terms);
+  system.addStereo(stereo, 300, 1, someTerms(), terms);
   system.eliminate({&terms, 1});
   for (std::size_t r = 0; r < kVariables; ++r) {
     for (std::size_t c = r; c < kVariables; ++c) {

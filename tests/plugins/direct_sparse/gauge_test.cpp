@@ -20,7 +20,7 @@ std::unique_ptr<Window> drive(std::size_t count) {
   }
   auto window = test::streetWindow(poses);
   test::addTruePoints(*window, 120);
-  window->prior.H(kOffsetIndex, kOffsetIndex) = 1e4;
+  window->prior.H.diagonal().tail<kFieldVariables>().setConstant(1e4);
   return window;
 }
 

@@ -18,11 +18,13 @@ namespace {
 constexpr double kHold = 1e12;
 
 std::unique_ptr<Window> threeKeyframes(int points) {
+  const CameraRig rig = test::streetRig();
   auto window = test::streetWindow(
       {test::streetPose(0), test::streetPose(0.5, 0.01), test::streetPose(1.0, 0.015)});
   test::addTruePoints(*window, points);
   window->prior.H.diagonal().head<8>().setConstant(kHold);
-  window->prior.H(kOffsetIndex, kOffsetIndex) = 1e4;
+  window->prior.H.diagonal().tail<kFieldVariables>().setConstant(1e4);
+  window->field.configure(rig.width, rig.height, rig.pinhole.fx, rig.pinhole.fx * rig.baseline, 4);
   // Off the optimum, so that there is a step.
   window->keyframe(1).T0_camera_world =
       expSe3((Vector6d() << 0.01, -0.005, 0.01, 0.001, 0.001, 0).finished()) *
@@ -46,6 +48,22 @@ double sightedDepth(const Pinhole& camera, const Keyframe& host, const Keyframe&
   const Eigen::Vector3d ray((point.u - camera.cx) / camera.fx, (point.v - camera.cy) / camera.fy,
                             1);
   return 1 / (T_target_world * T_host_world.inverse() * Eigen::Vector3d(ray / d)).z();
+}
+
+/// Derivatives of the column in the right image by the coefficients, by finite differences.
+Eigen::RowVectorXd byField(const CameraRig& rig, const DisparityField& field, const Point& point) {
+  constexpr double kStep = 1e-6;  // px
+  const double disparity = rig.pinhole.fx * rig.baseline * point.inverse_depth;
+  const auto moved = [&](int coefficient, double step) {
+    DisparityField other = field;
+    other.move(step * DisparityField::Terms::Unit(coefficient));
+    return other.at(point.u - disparity, point.v, disparity);
+  };
+  Eigen::RowVectorXd J(kFieldVariables);
+  for (int i = 0; i < kFieldVariables; ++i) {
+    J[i] = (moved(i, kStep) - moved(i, -kStep)) / (2 * kStep);
+  }
+  return J;
 }
 
 /// The residual in the right image of the newest other keyframe that sees the point; derivatives
@@ -96,7 +114,7 @@ void addSighting(const CameraRig& rig, float lambda, const Window& window, int h
     const Eigen::Index column = i < 6 ? 8 * target + i : i < 12 ? 8 * host + i - 6 : p;
     J(0, column) = -fb * change / 2e-6;
   }
-  J(0, kOffsetIndex) = 1;
+  J.middleCols<kFieldVariables>(kOffsetIndex) = byField(rig, window.field, seen);
   dense.H += J.transpose() * (lambda * s.xx) * J;
   dense.b += J.transpose() * (lambda * s.xr);
 }
@@ -147,7 +165,7 @@ Dense denseSystem(const CameraRig& rig, float lambda, Window& window) {
           s.energy <= window.energy_threshold && s.xx >= 2) {
         Eigen::MatrixXd J = Eigen::MatrixXd::Zero(1, dense.H.cols());
         J(0, p) = -fb;
-        J(0, kOffsetIndex) = 1;
+        J.middleCols<kFieldVariables>(kOffsetIndex) = byField(rig, window.field, point);
         add(J, Eigen::MatrixXd::Constant(1, 1, lambda * s.xx),
             Eigen::VectorXd::Constant(1, lambda * s.xr));
       }
@@ -185,7 +203,9 @@ TEST_CASE("eliminating the depths changes nothing: steps agree with the dense sy
     CAPTURE(slot, step.segment<8>(8 * slot).transpose(), expected.segment<8>(8 * slot).transpose());
     CHECK((step - expected.head<kVariables>()).segment<6>(8 * slot).norm() < 3e-5);
   }
-  CHECK(step[kOffsetIndex] == Approx(expected[kOffsetIndex]).margin(1e-3));
+  for (int i = kOffsetIndex; i < kVariables; ++i) {
+    CHECK(step[i] == Approx(expected[i]).margin(1e-3));
+  }
   CHECK(step.segment<6>(8).norm() > 1e-3);
 
   std::vector<float> before;
@@ -309,4 +329,18 @@ TEST_CASE("a free scale stays: the window does not grow, and all else moves as i
   const SystemVector loose = solve(*window, system.H(), pushed);
   CHECK((moved - held).norm() < 0.01);
   CHECK(std::abs(loose.dot(larger)) > 10 * (moved - held).norm());
+}
+
+TEST_CASE("a step of the field does not act like a common factor of the disparities") {
+  const CameraRig rig = test::streetRig();
+  const auto window = threeKeyframes(400);
+  LinearSystem system;
+  system.build(rig, SystemSettings{1.5F}, *window, allPoints(*window));
+  const SmoothField::Terms factor = system.moments().factorDirection();
+  const SystemVector free_step = solve(*window, system.H(), system.b());
+  CHECK(std::abs(factor.dot(free_step.tail<kFieldVariables>())) > 1e-3);
+  window->moments.add(system.moments());
+  const SystemVector step = solve(*window, system.H(), system.b());
+  CHECK(factor.dot(step.tail<kFieldVariables>()) == Approx(0).margin(1e-5));
+  CHECK(step.tail<kFieldVariables>().norm() > 1e-3);
 }

@@ -20,7 +20,7 @@ std::unique_ptr<Window> keyframes(std::size_t count, int points) {
   }
   auto window = test::streetWindow(poses);
   test::addTruePoints(*window, points);
-  window->prior.H(kOffsetIndex, kOffsetIndex) = 1e4;
+  window->prior.H.diagonal().tail<kFieldVariables>().setConstant(1e4);
   window->keyframe(0).has_prior = true;
   return window;
 }

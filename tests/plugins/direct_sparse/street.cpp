@@ -29,6 +29,8 @@ double streetInverseDepth(const Eigen::Isometry3d& T_world_camera, double u, dou
 
 std::unique_ptr<Window> streetWindow(const std::vector<Eigen::Isometry3d>& poses) {
   auto window = std::make_unique<Window>();
+  const CameraRig rig = streetRig();
+  window->field.configure(rig.width, rig.height, rig.pinhole.fx, rig.pinhole.fx * rig.baseline, 0);
   std::int64_t index = 0;
   for (const Eigen::Isometry3d& pose : poses) {
     const Frame frame = streetFrame(index, pose);

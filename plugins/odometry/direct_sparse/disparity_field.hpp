@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Errors of all disparities of a rig, as the window estimates them: an offset, and a smooth
+// function over the right image. A wrong one makes depths wrong, and so the scale of the motion.
+#pragma once
+
+#include <algorithm>
+
+#include "smooth_field.hpp"
+
+namespace tolman::direct_sparse {
+
+/// How static residuals of weight w lie in the image and in disparity d: sums of w, w d, w B and
+/// w d B, B being the terms of the field.
+template <class Scalar>
+struct ScaleMoments {
+  using Terms = Eigen::Matrix<Scalar, SmoothField::kTerms, 1>;
+  Scalar weight = 0;
+  Scalar disparity = 0;
+  Terms terms = Terms::Zero();
+  Terms products = Terms::Zero();
+
+  void add(Scalar w, Scalar d, const Terms& B) {
+    weight += w;
+    disparity += w * d;
+    terms += w * B;
+    products += w * d * B;
+  }
+  template <class Other>
+  void add(const ScaleMoments<Other>& other) {
+    weight += static_cast<Scalar>(other.weight);
+    disparity += static_cast<Scalar>(other.disparity);
+    terms += other.terms.template cast<Scalar>();
+    products += other.products.template cast<Scalar>();
+  }
+  /// Unit vector h: a field c, without its offset, is uncorrelated with disparity if h' c = 0. Then
+  /// it does not act like a common factor of the disparities. Zero if nothing was added.
+  Terms factorDirection() const {
+    Terms h = products - terms * (disparity / std::max(weight, static_cast<Scalar>(1e-9)));
+    h[0] = 0;
+    return h.stableNormalized();
+  }
+};
+
+/// A point of disparity d has column u - d + field in the right image. The offset, coefficient 0,
+/// has two possible causes. What a calibration by least squares leaves of it is compensated by
+/// focal length and baseline, so that disparities at the distance of the calibration are right. If
+/// a camera has turned since then, it is not compensated. docs/odometry.md has the derivation.
+class DisparityField {
+ public:
+  using Terms = SmoothField::Terms;
+
+  /// Image size in px; focal length in px, and times baseline in px m; distance of the calibration
+  /// in m, 0: an offset is never compensated.
+  void configure(int width, int height, double focal, double focal_baseline, double distance);
+  /// Forgets the estimate.
+  void clear();
+
+  double offset() const { return first_ + change_[0]; }  ///< px
+  /// Derivatives of the field by its coefficients at a column and row of the right image, for a
+  /// point of this disparity; px.
+  Terms termsAt(double u, double v, double disparity) const;
+  /// The field where these are its terms, px.
+  double sum(const Terms& terms) const { return terms.dot(change_) + terms[0] * first_; }
+  double at(double u, double v, double disparity) const { return sum(termsAt(u, v, disparity)); }
+  const Terms& changes() const { return change_; }
+  void move(const Terms& step);
+  /// The offset is believed to have this value, px, before it is estimated.
+  void believe(double offset);
+
+  /// The part of an offset (px) that calibration is expected to have left, 0 to 1.
+  double calibrationShare(double offset) const;
+
+ private:
+  void follow();
+
+  int width_ = 1;
+  int height_ = 1;
+  double focal_ = 1;
+  double by_disparity_ = 0;  ///< 1/px, of a part that is compensated
+  double compensated_ = 0;   ///< 1/px, of the whole offset
+  double first_ = 0;         ///< px
+  Terms change_ = Terms::Zero();
+};
+
+}  // namespace tolman::direct_sparse
