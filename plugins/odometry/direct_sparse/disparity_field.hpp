@@ -56,8 +56,9 @@ class DisparityField {
   void clear();
 
   double offset() const { return first_ + change_[0]; }  ///< px
-  /// Derivatives of the field by its coefficients at a column and row of the right image, for a
-  /// point of this disparity; px.
+  /// Terms of the field at a column and row of the right image, for a point of this disparity. They
+  /// are its derivatives by the coefficients, but for the change of the share that is compensated:
+  /// it follows the estimate, and is not estimated itself.
   Terms termsAt(double u, double v, double disparity) const;
   /// The field where these are its terms, px.
   double sum(const Terms& terms) const { return terms.dot(change_) + terms[0] * first_; }
