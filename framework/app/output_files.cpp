@@ -22,8 +22,8 @@ bool isInTheWay(const fs::path& file) {
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& option) {
-  throw Ended{ExitCode::Record,
-              file.string() + ": exists; choose another " + option + ", or replace it with --force"};
+  throw Ended{ExitCode::Record, file.string() + ": exists; choose another " + option +
+                                    ", or replace it with --force"};
 }
 
 }  // namespace
