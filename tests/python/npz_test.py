@@ -100,7 +100,10 @@ class NpzTest(Systems):
             while not (self.folder / "live/run.sqlite").exists() or len(Run(self.folder / "live").frames) < 10:
                 self.assertIsNone(going.poll())
                 time.sleep(0.1)
-            done = tolman("export", self.folder / "live", "--npz", "--out", self.folder / "files")
+            for _ in range(50):  # the record grows twice a second
+                done = tolman("export", self.folder / "live", "--npz", "--force", "--out", self.folder / "files")
+                if done.stderr:
+                    break
         finally:
             going.kill()
             going.wait()
