@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman export: result files from run.sqlite, also of a killed run; tolman schema.
+#include <sys/resource.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
@@ -66,6 +68,18 @@ std::vector<std::filesystem::path> exportFiles(const record::RunReader& reader,
   return valueOrEnd(written);
 }
 
+/// Why Python may have ended without a message. Without memory for a package it exits as if that
+/// were not there.
+std::string causeOf(const isolation::ProcessEnd& end, const std::string& needs) {
+  if (end.signal != 0) {
+    return "limits of memory and of files (`ulimit -a`) may be too low, or a package is damaged";
+  }
+  rlimit memory{};
+  const bool limited = ::getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY;
+  return limited ? "its memory is limited (`ulimit -v`), or it lacks " + needs
+                 : "it needs " + needs;
+}
+
 /// Lets the Python package `tolman` write run.nwb or run.npz (`kind`), and adds it to `written`.
 /// Its messages go to stderr, and its exit codes for data and record are those of this program.
 void exportByPython(const std::string& kind, const ExportCommand& asked, const char* needs,
@@ -90,17 +104,16 @@ void exportByPython(const std::string& kind, const ExportCommand& asked, const c
   }
   constexpr int kData = static_cast<int>(ExitCode::Dataset);
   constexpr int kRecord = static_cast<int>(ExitCode::Record);
-  if (end.signal == 0 && (end.exit_code == kData || end.exit_code == kRecord)) {  // it has said why
+  constexpr int kMemory = static_cast<int>(ExitCode::Internal);
+  if (end.signal == 0 && (end.exit_code == kData || end.exit_code == kRecord ||
+                          end.exit_code == kMemory)) {  // it has said why
     invocation.exit_code =
         printFailure(static_cast<ExitCode>(end.exit_code), "no run." + kind + " was written");
     return;
   }
-  const std::string why =
-      end.signal != 0
-          ? "; limits of memory and of files (`ulimit -a`) may be too low, or a package is damaged"
-          : std::string("; it needs ") + needs;
   invocation.exit_code =
-      printFailure(ExitCode::Record, "no run." + kind + " was written: Python " + end.text() + why);
+      printFailure(ExitCode::Record, "no run." + kind + " was written: Python " + end.text() +
+                                         "; " + causeOf(end, needs));
 }
 
 /// Warns if the run has recorded more while Python wrote its files.

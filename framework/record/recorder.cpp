@@ -14,6 +14,7 @@ namespace tolman::record {
 namespace {
 
 constexpr std::chrono::milliseconds kCommitPeriod(500);
+constexpr int kMergePatience = 10000;  // ms
 constexpr const char* kJournal = "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL";
 
 /// Upserts the records that differ from those written before. `now(i)` is record i of `size`.
@@ -329,13 +330,16 @@ void Recorder::commitRegularly(const std::stop_token& stop) {
 }
 
 /// Merges the log into the file, which can then be opened on read-only media. While a reader is
-/// connected, the log remains.
+/// connected, the log remains, but is empty unless the reader is in the middle of a transaction for
+/// longer than kMergePatience.
 void Recorder::mergeLog() {
   try {
     database_.exec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");
   } catch (const SQLite::Exception& error) {
     const int code = error.getErrorCode();
     if (code != SQLITE_BUSY && code != SQLITE_LOCKED) throw;
+    database_.setBusyTimeout(kMergePatience);
+    Statement(database_, "PRAGMA wal_checkpoint(TRUNCATE)").step();
   }
 }
 

@@ -195,6 +195,13 @@ bool RunDirectory::wasKilled(const std::filesystem::path& path) {
   return running && !isBeingWritten(path);
 }
 
+bool RunDirectory::hasEnded(const std::filesystem::path& path) {
+  const auto json = readRunFile(path);
+  const auto status = json.find("status");
+  if (status == json.end() || isBeingWritten(path)) return false;
+  return *status == enumName(RunState::Finished) || *status == enumName(RunState::Interrupted);
+}
+
 Status RunDirectory::mayTake(const fs::path& path, bool replace) {
   if (Status own = refuseRunFolders(path, "--out"); !own.isOk()) return own;
   std::error_code error;

@@ -54,6 +54,9 @@ class RunDirectory {
   static Status checkRunFile(const std::filesystem::path& path);
   /// Whether the run was killed: run.json says "running", and no process holds the lock.
   static bool wasKilled(const std::filesystem::path& path);
+  /// Whether run.json says that the run is finished or was interrupted, and no process continues
+  /// it.
+  static bool hasEnded(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }  ///< absolute
   /// Files that create() found in figures/, artefacts/, state/ or session-N/ and kept, because

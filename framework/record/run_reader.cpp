@@ -3,10 +3,24 @@
 
 #include "config/paths.hpp"
 #include "record/row_sums.hpp"
+#include "record/run_directory.hpp"
 #include "record/run_id.hpp"
 #include "record/schema_check.hpp"
 
 namespace tolman::record {
+namespace {
+
+/// The counts of rows are the last that a run records, and only then its run.json says that it has
+/// ended. So without them the end of the record is missing.
+Status endIsThere(const std::filesystem::path& file, const std::string& counts) {
+  if (!counts.empty() || !RunDirectory::hasEnded(file.parent_path())) return Status::ok();
+  return Status::invalidInput(
+      file.string() +
+      ": lacks the end of the run, which has ended by run.json; if run.sqlite-wal was not copied "
+      "with it, put it beside it, or run it again");
+}
+
+}  // namespace
 
 Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "run.sqlite";
@@ -20,12 +34,15 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
   }
   std::unique_ptr<RunReader> reader;
   std::string id;
+  std::string counts;
   const Status status = guarded(file.string(), [&] {
     reader.reset(new RunReader(directory, file));
     id = reader->entry(kRunIdKey);
+    counts = reader->entry(kRowCountsKey);
   });
   if (!status.isOk()) return Status::invalidInput(status.message());
   Status of_run = isOfRun(file, id, runIdOf(directory));
+  if (of_run.isOk()) of_run = endIsThere(file, counts);
   if (!of_run.isOk()) return of_run;
   return reader;
 }

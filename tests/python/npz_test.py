@@ -13,6 +13,7 @@ from support import BUILD, Systems, tolman, write_octagon
 import numpy as np
 
 from tolman import npz
+from tolman._files import exit_code_of
 from tolman.results import Run
 
 SLOW_CELLS = """
@@ -111,6 +112,27 @@ class NpzTest(Systems):
         self.assertRegex(done.stderr, "live: the run goes on: trajectories and map are of its first [0-9]+ frames")
         file = np.load(self.folder / "files/run.npz")
         self.assertEqual(len(file["motion/frame"]), len(file["decision/frame"]))
+
+    def test_without_scale_only_lengths_of_odometry_and_map_are_in_units(self):
+        self.assertEqual(self.run_system().returncode, 0)
+        with unittest.mock.patch.object(Run, "scale_known", False):
+            units = json.loads(str(np.load(npz.write(self.folder / "run"))["units"]))
+        self.assertEqual((units["trajectory/map/x"], units["trajectory/truth/x"]), ("units", "m"))
+
+    def test_too_little_memory_is_told(self):
+        def allocate():
+            raise MemoryError
+
+        self.assertEqual(exit_code_of(allocate), 70)
+        self.assertEqual(self.run_system().returncode, 0)
+        command = f"exec {BUILD / 'bin/tolman'} export {self.folder / 'run'} --npz"
+        for kilobytes in range(130000, 60000, -10000):  # what is too little depends on the machine
+            limited = subprocess.run(["bash", "-c", f"ulimit -v {kilobytes}; {command}"],
+                                     capture_output=True, text=True, check=False, timeout=600)
+            if limited.returncode != 0:
+                break
+        self.assertIn(limited.returncode, (8, 70), limited.stderr)
+        self.assertIn("ulimit -v", limited.stderr)
 
     def test_what_is_no_run_is_told(self):
         done = tolman("export", self.folder, "--npz")

@@ -155,6 +155,25 @@ TEST_CASE("timing, events and meta values are stored; a closed recorder refuses"
   CHECK_FALSE(std::filesystem::exists(folder.path() / "run.sqlite-wal"));
 }
 
+TEST_CASE("the file alone is whole after a run that ended while others read it") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  REQUIRE(test::recordFrame(*recorder, 0).isOk());
+  REQUIRE(recorder->commit().isOk());
+  const SQLite::Database idle((folder.path() / "run.sqlite").string());  // as in a notebook
+  idle.tableExists("frame");
+  std::jthread reading([&] {
+    const auto reader = RunReader::open(folder.path()).value();  // in a transaction
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  REQUIRE(test::recordFrame(*recorder, 1).isOk());
+  REQUIRE(recorder->close().isOk());
+  const test::TemporaryFolder copy;
+  std::filesystem::copy_file(folder.path() / "run.sqlite", copy.path() / "run.sqlite");
+  CHECK(RunReader::open(copy.path()).value()->totals().value().frames == 2);
+}
+
 TEST_CASE("several threads write at once") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();

@@ -201,6 +201,28 @@ TEST_CASE("a database of another run than run.json is refused") {
       "of one run, or run it again");
 }
 
+TEST_CASE("a record that was copied without its log is refused if the run has ended") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path copy = folder.path() / "copy";
+  std::filesystem::create_directory(copy);
+  {
+    auto recorder = Recorder::open(folder.path()).value();
+    REQUIRE(test::recordFrame(*recorder, 0).isOk());
+    REQUIRE(recorder->sync().isOk());  // the file alone has frame 0
+    REQUIRE(test::recordFrame(*recorder, 1).isOk());
+    REQUIRE(recorder->commit().isOk());
+    std::filesystem::copy_file(folder.path() / "run.sqlite", copy / "run.sqlite");
+  }
+  std::ofstream(copy / "run.json") << R"({"status": "running"})";  // killed: all that is left
+  CHECK(RunReader::open(copy).isOk());
+  for (const char* status : {"finished", "interrupted"}) {
+    std::ofstream(copy / "run.json") << R"({"status": ")" << status << R"("})";
+    CHECK(refusal(copy) ==
+          "/run.sqlite: lacks the end of the run, which has ended by run.json; if run.sqlite-wal "
+          "was not copied with it, put it beside it, or run it again");
+  }
+}
+
 TEST_CASE("a record whose rows were removed after its end is refused") {
   for (const char* table : {"map_update", "final_pose"}) {
     const test::TemporaryFolder folder;

@@ -6,7 +6,7 @@ import pathlib
 import sqlite3
 import sys
 
-DATA, RECORD = 5, 8  # of `tolman`, docs/errors.md
+DATA, RECORD, MEMORY = 5, 8, 70  # of `tolman`, docs/errors.md
 
 
 class Unwritten(OSError):
@@ -42,6 +42,9 @@ def exit_code_of(command):
     except Unwritten as error:
         print(error, file=sys.stderr, flush=True)
         os._exit(RECORD)  # at the end of the process zipfile would try to finish the file
+    except MemoryError:
+        print("out of memory: give it more, or raise its limit (`ulimit -v`)", file=sys.stderr)
+        return MEMORY
     except OSError as error:
         print(error, file=sys.stderr)
         return DATA if isinstance(error, FileNotFoundError) else RECORD

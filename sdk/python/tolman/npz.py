@@ -84,7 +84,7 @@ def _arrays_of(run):
         if array.info.kind == "activity" and array.values.dtype != object:
             _add_rates(run, name, out)
     if not run.scale_known:  # lengths of odometry and map are in arbitrary units, those of the truth are not
-        of_truth = ("frame/", "array/", "truth/") + (("rate_map/",) if run.frames["has_truth"].max() else ())
+        of_truth = ("frame/", "array/", "trajectory/truth/") + (("rate_map/",) if run.frames["has_truth"].max() else ())
         for name, unit in out.units.items():
             if not name.startswith(of_truth):
                 out.units[name] = {"m": "units", "m/s": "units/s"}.get(unit, unit)
