@@ -40,7 +40,8 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status findSize();
   Status makeRigs();
   Status makeSequence(Logger& log);
-  /// Loads the other sensors, and refuses what is damaged or measures nothing of the run.
+  /// Loads the other sensors, and refuses what is damaged or was measured at other times than the
+  /// run's.
   Status loadSensors(Logger& log);
   Status judgeOdometry(Logger& log);
   std::int64_t imageStampNs(std::int64_t source_index) const;

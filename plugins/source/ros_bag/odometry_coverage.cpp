@@ -59,8 +59,10 @@ std::int64_t OdometryCoverage::count(const std::vector<std::int64_t>& frames_ns,
   return frames;
 }
 
-bool OdometryCoverage::measuresAny(const std::vector<std::int64_t>& frames_ns) const {
-  return count(frames_ns, Kind::Measured) > 0;
+bool OdometryCoverage::overlaps(const std::vector<std::int64_t>& frames_ns) const {
+  if (stamps_ns_.empty() || frames_ns.empty()) return false;
+  const auto [first, last] = std::ranges::minmax(frames_ns);
+  return stamps_ns_.front() <= last && stamps_ns_.back() >= first;
 }
 
 std::string OdometryCoverage::ranges(const std::vector<std::int64_t>& frames_ns) const {

@@ -19,9 +19,9 @@ class OdometryCoverage {
   /// Of the motion between these times, in any order. Outside if there are no messages.
   Kind kindOf(std::int64_t one_ns, std::int64_t other_ns) const;
 
-  /// Whether the motion to any frame but the first is measured. `frames_ns`: times of the frames in
-  /// the order of the run.
-  bool measuresAny(const std::vector<std::int64_t>& frames_ns) const;
+  /// Whether the times of the messages and of the frames have any in common. `frames_ns`: times of
+  /// the frames in the order of the run.
+  bool overlaps(const std::vector<std::int64_t>& frames_ns) const;
   /// "its messages are from 1.000 s to 3.000 s, the images from 2.000 s to 4.000 s"
   std::string ranges(const std::vector<std::int64_t>& frames_ns) const;
   /// One text, without topic, for each kind of frames whose motion is not measured.

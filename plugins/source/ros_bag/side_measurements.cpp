@@ -60,7 +60,7 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
 Status SideMeasurements::judgeOdometry(const std::vector<std::int64_t>& frames_ns,
                                        std::vector<std::string>& problems) {
   if (poses_.empty() || frames_ns.size() < 2) return Status::ok();
-  if (!coverage_.measuresAny(frames_ns)) {
+  if (!coverage_.overlaps(frames_ns)) {
     poses_.clear();
     return Status::invalidInput("no motion between the images is measured: " +
                                 coverage_.ranges(frames_ns) + "; check the clocks of both");

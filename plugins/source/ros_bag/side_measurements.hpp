@@ -22,8 +22,8 @@ class SideMeasurements {
   /// "of /imu with the stamp 5000000000 ns (message 3)"; empty if none is damaged.
   const std::string& firstDamaged() const { return first_damaged_; }
   /// Compares the times of the odometry with those of the frames, in the order of the run.
-  /// `problems` gets a text for each kind of frames without a measured motion. InvalidInput if no
-  /// frame has one; the odometry is not used then. No text contains the topic.
+  /// `problems` gets a text for each kind of frames without a measured motion. InvalidInput if all
+  /// its times lie before or after the frames; it is not used then. No text contains the topic.
   Status judgeOdometry(const std::vector<std::int64_t>& frames_ns,
                        std::vector<std::string>& problems);
 
