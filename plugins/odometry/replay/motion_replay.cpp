@@ -76,9 +76,13 @@ const std::vector<float>* MotionReplay::sensor(const Frame& frame, std::string_v
 
 /// Whether tracking restarts at an unknown pose at this frame, by the parameter or the source.
 bool MotionReplay::carried(const Frame& frame) const {
-  const std::vector<float>* unknown = sensor(frame, "motion.unknown");
-  return frame.frame == parameters_.carried_at ||
-         (unknown && std::ranges::any_of(*unknown, [](float value) { return value != 0; }));
+  return frame.frame == parameters_.carried_at || isNotZero(frame, "motion.unknown");
+}
+
+/// Whether the frame has this sensor with a value that is not 0.
+bool MotionReplay::isNotZero(const Frame& frame, std::string_view name) {
+  const std::vector<float>* values = sensor(frame, name);
+  return values && std::ranges::any_of(*values, [](float value) { return value != 0; });
 }
 
 Status MotionReplay::track(const Frame& frame, Motion& motion) {
@@ -96,14 +100,19 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   const Disturbance wrong = draw(std::hypot(recorded_step.x, recorded_step.y));
   const PlanarPose step = {recorded_step.x * wrong.stretch, recorded_step.y * wrong.stretch,
                            wrapAngle(recorded_step.theta + wrong.turn)};
-  const bool lost = random_.uniform() < parameters_.lost;
+  const bool drawn_lost = random_.uniform() < parameters_.lost;
+  const bool guessed = isNotZero(frame, "motion.lost");  // by the source
+  const bool lost = drawn_lost || guessed;
   const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
   last_stamp_ns_ = frame.stamp_ns;
   if (frame.frame == 0 || carried(frame)) return Status::ok();
   motion.state = lost ? TrackingState::Lost : TrackingState::Tracking;
+  const PlanarPose moved = guessed || !lost ? step : last_step_;
+  // The camera may have gone on where the source's guess is that it stands.
+  const double before = guessed ? std::hypot(last_step_.x, last_step_.y) : 0;
   if (!lost) last_step_ = step;
-  motion.T_previous_current = fromPlanar(last_step_);
-  const double distance = std::hypot(last_step_.x, last_step_.y);
+  motion.T_previous_current = fromPlanar(moved);
+  const double distance = std::max(before, std::hypot(moved.x, moved.y));
   motion.T_previous_current.translation().y() += parameters_.bias_height * distance;
   const double factor = lost ? 10 : 1;  // multiplies the standard deviations; chosen, not tuned
   // 1e-3 m and 1e-4 rad keep the covariance regular at standstill.

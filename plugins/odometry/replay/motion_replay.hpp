@@ -87,6 +87,7 @@ class MotionReplay final : public Odometry {
   };
   static const std::vector<float>* sensor(const Frame& frame, std::string_view name);
   bool carried(const Frame& frame) const;
+  static bool isNotZero(const Frame& frame, std::string_view name);
   Disturbance draw(double distance);
   Status replay(const Frame& frame, Motion& motion);
   void disturb(std::int64_t frame, Eigen::Isometry3d& T_previous_current) const;

@@ -160,6 +160,7 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
   }
   if (known.index.empty()) known.first.assign(bytes.begin(), bytes.end());
   known.index.push_back(message);
+  known.index.back().number = known.messages - 1;
   known.index.back().has_stamp = *stamp > 0;
   known.index.back().stamp_ns = *stamp > 0 ? *stamp : log_ns;
   if (*stamp < 0 && ++known.negative == 1) {

@@ -19,7 +19,8 @@ struct BagMessage {
   std::int64_t stamp_ns = 0;  ///< time of the header, or of recording if no header has one
   std::size_t file = 0;
   MessagePlace place;
-  bool has_stamp = false;  ///< its header has a time
+  bool has_stamp = false;   ///< its header has a time
+  std::int64_t number = 0;  ///< among the topic's messages, as they were recorded
 };
 
 /// One topic and its messages.

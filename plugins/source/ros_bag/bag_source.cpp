@@ -76,13 +76,50 @@ Status BagSource::prepare(const Context& context) {
   if (status.isOk()) status = findSize();
   if (status.isOk()) status = makeRigs();
   if (status.isOk()) status = makeSequence(context.log);
-  if (status.isOk()) status = side_.load(*bag_, chosen_.imu, chosen_.odometry);
-  if (!status.isOk() || side_.damaged() == 0) return status;
+  if (status.isOk()) status = loadSensors(context.log);
+  return status;
+}
+
+Status BagSource::loadSensors(Logger& log) {
+  if (Status status = side_.load(*bag_, chosen_.imu, chosen_.odometry); !status.isOk()) {
+    return status;
+  }
+  if (side_.damaged() == 0) return judgeOdometry(log);
   const std::string what = parameters_.path + ": " + std::to_string(side_.damaged()) +
                            " messages of other sensors are damaged, first " + side_.firstDamaged();
   if (parameters_.on_corrupt == OnCorrupt::Stop) return Status::invalidInput(what + kLeaveOut);
-  context.log.warning(what);
+  log.warning(what);
+  return judgeOdometry(log);
+}
+
+Status BagSource::judgeOdometry(Logger& log) {
+  odometry_problems_.clear();
+  if (chosen_.odometry == nullptr) return Status::ok();
+  const std::string topic = chosen_.odometry->topic.name + ": ";
+  // Two passes have every motion between frames; further ones are not counted.
+  const auto most = static_cast<std::int64_t>(2 * table_.rows.size());
+  std::vector<std::int64_t> frames_ns;
+  for (std::int64_t i = 0; i < std::min(sequence_.size(), most); ++i) {
+    frames_ns.push_back(imageStampNs(sequence_.sourceIndex(i)));
+  }
+  const Status status = side_.judgeOdometry(frames_ns, odometry_problems_);
+  if (!status.isOk()) {
+    const std::string what = topic + status.message();
+    if (parameters_.on_corrupt == OnCorrupt::Stop) {
+      return Status::invalidInput(parameters_.path + ": " + what +
+                                  ", or leave the topic out by on_corrupt: skip");
+    }
+    odometry_problems_.push_back(status.message() + "; the topic is left out");
+  }
+  for (std::string& problem : odometry_problems_) {
+    problem = topic + problem;
+    log.warning(parameters_.path + ": " + problem);
+  }
   return Status::ok();
+}
+
+std::int64_t BagSource::imageStampNs(std::int64_t source_index) const {
+  return chosen_.left->index[table_.rows[static_cast<std::size_t>(source_index)].left].stamp_ns;
 }
 
 Status BagSource::judgeProblems(Logger& log) const {
@@ -226,11 +263,8 @@ Status BagSource::next(Frame& frame) {
   frame.frame = next_frame_++;  // also after a failure, so that a caller can skip the frame
   frame.stamp_ns = sequence_.stampNs(frame.frame);
   frame.source_index = sequence_.sourceIndex(frame.frame);
-  const auto stampOf = [this](std::int64_t index) {
-    return chosen_.left->index[table_.rows[static_cast<std::size_t>(index)].left].stamp_ns;
-  };
   const std::int64_t before = sequence_.sourceIndex(std::max<std::int64_t>(frame.frame - 1, 0));
-  side_.measure(stampOf(before), stampOf(frame.source_index), frame.sensors);
+  side_.measure(imageStampNs(before), imageStampNs(frame.source_index), frame.sensors);
   const FrameRow& row = table_.rows[static_cast<std::size_t>(frame.source_index)];
   Status status = addDepth(row, frame);
   if (status.isOk()) status = readImages(row, frame);
@@ -360,6 +394,9 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
     findings.push_back({Severity::Warning, chosen_.left->topic.name,
                         std::to_string(table_.left_alone) +
                             " images have no right one within the tolerance; set tolerance"});
+  }
+  for (const std::string& problem : odometry_problems_) {
+    findings.push_back({Severity::Warning, "", problem});
   }
   findings.push_back({Severity::Note, parameters_.path, found.description});
   return Status::ok();

@@ -40,6 +40,11 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status findSize();
   Status makeRigs();
   Status makeSequence(Logger& log);
+  /// Loads the other sensors, and refuses what is damaged or was measured at other times than the
+  /// run's.
+  Status loadSensors(Logger& log);
+  Status judgeOdometry(Logger& log);
+  std::int64_t imageStampNs(std::int64_t source_index) const;
   Status readImage(const BagTopic& topic, std::size_t index, Image& image);
   Status readImages(const FrameRow& row, Frame& frame);
   void tellUsedBits();
@@ -52,6 +57,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   ChosenTopics chosen_;
   FrameTable table_;
   SideMeasurements side_;
+  std::vector<std::string> odometry_problems_;  ///< with the topic
   ImageSize size_;
   ImageSize depth_size_;
   CameraRigs rigs_;

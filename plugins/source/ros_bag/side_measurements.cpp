@@ -7,10 +7,10 @@
 namespace tolman::ros_bag {
 namespace {
 
-/// Heading, rad, of an orientation (x, y, z, w) in axes with z upwards.
+/// Heading, rad, of an orientation (x, y, z, w) of any length in axes with z upwards.
 double headingOf(const std::array<double, 4>& q) {
   const auto [x, y, z, w] = q;
-  return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+  return std::atan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z);
 }
 
 float f(double value) { return static_cast<float>(value); }
@@ -23,6 +23,8 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
   poses_.clear();
   damaged_ = 0;
   first_damaged_.clear();
+  coverage_ = {};
+  tells_lost_ = false;
   if (imu != nullptr) {
     for (const BagMessage& message : imu->index) {
       const auto bytes = bag.read(message);
@@ -49,13 +51,31 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
         {message.stamp_ns,
          {measured->position[0], measured->position[1], headingOf(measured->orientation)}});
   }
+  std::vector<std::int64_t> stamps;
+  for (const Pose& pose : poses_) stamps.push_back(pose.stamp_ns);
+  coverage_ = OdometryCoverage(std::move(stamps));
+  return Status::ok();
+}
+
+Status SideMeasurements::judgeOdometry(const std::vector<std::int64_t>& frames_ns,
+                                       std::vector<std::string>& problems) {
+  if (poses_.empty() || frames_ns.size() < 2) return Status::ok();
+  if (!coverage_.overlaps(frames_ns)) {
+    poses_.clear();
+    return Status::invalidInput("no motion between the images is measured: " +
+                                coverage_.ranges(frames_ns) + "; check the clocks of both");
+  }
+  const std::vector<std::string> found = coverage_.problems(frames_ns);
+  tells_lost_ = !found.empty();
+  problems.insert(problems.end(), found.begin(), found.end());
   return Status::ok();
 }
 
 void SideMeasurements::tellDamaged(const BagTopic& topic, const BagMessage& message) {
   if (++damaged_ > 1) return;
-  first_damaged_ =
-      "of " + topic.topic.name + " with the stamp " + std::to_string(message.stamp_ns) + " ns";
+  first_damaged_ = "of " + topic.topic.name + " with the stamp " +
+                   std::to_string(message.stamp_ns) + " ns (message " +
+                   std::to_string(message.number) + ")";
 }
 
 PlanarPose SideMeasurements::poseAt(std::int64_t stamp_ns) const {
@@ -101,6 +121,9 @@ void SideMeasurements::measure(std::int64_t previous_ns, std::int64_t stamp_ns,
   if (poses_.empty()) return;
   const PlanarPose step = between(poseAt(previous_ns), poseAt(stamp_ns));
   sensors.push_back({"motion.planar", {3}, {f(step.x), f(step.y), f(step.theta)}});
+  if (!tells_lost_) return;
+  const bool lost = coverage_.kindOf(previous_ns, stamp_ns) != OdometryCoverage::Kind::Measured;
+  sensors.push_back({"motion.lost", {1}, {lost && previous_ns != stamp_ns ? 1.0F : 0.0F}});
 }
 
 void SideMeasurements::describe(std::vector<ArrayInfo>& arrays) const {
@@ -122,6 +145,9 @@ void SideMeasurements::describe(std::vector<ArrayInfo>& arrays) const {
   if (poses_.empty()) return;
   add("motion.planar", "", "planar motion since the frame before",
       {"x (m)", "y (m)", "theta (rad)"});
+  if (tells_lost_) {
+    add("motion.lost", "", "1 where motion.planar is not measured, but a guess", {"lost"});
+  }
 }
 
 }  // namespace tolman::ros_bag

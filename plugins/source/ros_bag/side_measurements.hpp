@@ -8,6 +8,7 @@
 
 #include "bag.hpp"
 #include "messages.hpp"
+#include "odometry_coverage.hpp"
 #include "tolman/fields.hpp"
 #include "tolman/geometry.hpp"
 
@@ -18,12 +19,20 @@ class SideMeasurements {
   /// Reads all messages of the topics that are not null. Damaged ones are counted.
   Status load(Bag& bag, const BagTopic* imu, const BagTopic* odometry);
   std::size_t damaged() const { return damaged_; }
-  /// "of /imu with the stamp 5000000000 ns"; empty if none is damaged.
+  /// "of /imu with the stamp 5000000000 ns (message 3)"; empty if none is damaged.
   const std::string& firstDamaged() const { return first_damaged_; }
+  /// Compares the times of the odometry with those of the frames, in the order of the run.
+  /// `problems` gets a text for each kind of frames without a measured motion. InvalidInput if all
+  /// its times lie before or after the frames; it is not used then. No text contains the topic.
+  Status judgeOdometry(const std::vector<std::int64_t>& frames_ns,
+                       std::vector<std::string>& problems);
 
   /// Appends, for a frame at `stamp_ns` after one at `previous_ns` (the same at the first):
   /// imu.angular_velocity (rad/s) and imu.linear_acceleration (m/s^2), the means since then in the
-  /// axes of the sensor, imu.samples, and motion.planar (m, m, rad) since then.
+  /// axes of the sensor, imu.samples, and motion.planar (m, m, rad) since then. If the odometry
+  /// does not measure the motion to every frame, also motion.lost: 1 where motion.planar is a
+  /// guess, a straight line through a hole, and standstill before the first and after the last
+  /// message.
   void measure(std::int64_t previous_ns, std::int64_t stamp_ns,
                std::vector<NamedArray>& sensors) const;
   /// Descriptions of these arrays.
@@ -44,6 +53,8 @@ class SideMeasurements {
   bool has_imu_ = false;
   std::vector<ImuMessage> imu_;  ///< by stamp
   std::vector<Pose> poses_;      ///< by stamp
+  OdometryCoverage coverage_;
+  bool tells_lost_ = false;  ///< a frame's motion is not measured
   std::size_t damaged_ = 0;
   std::string first_damaged_;
 };

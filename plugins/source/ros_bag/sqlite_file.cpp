@@ -52,6 +52,26 @@ std::unique_ptr<SQLite::Database> openMemory(Bytes bytes) {
   return database;
 }
 
+/// Messages whose time of recording is before 1970: told once, not for each.
+struct WrongClock {
+  std::int64_t messages = 0;
+  std::string first;
+
+  void add(std::int64_t id, std::int64_t log_ns) {
+    if (++messages > 1) return;
+    first = "message " + std::to_string(id) + " was recorded at " + std::to_string(log_ns) +
+            " ns, before 1970";
+  }
+  void tell(std::vector<std::string>& problems) const {
+    if (messages == 0) return;
+    const std::string more =
+        messages == 1 ? "" : ", and " + std::to_string(messages - 1) + " more like it";
+    problems.push_back(first + more +
+                       ": the clock was wrong; correct the column timestamp, or leave them out by "
+                       "on_corrupt: skip");
+  }
+};
+
 }  // namespace
 
 bool SqliteFile::isSqlite(FileBytes& file) {
@@ -109,6 +129,7 @@ void SqliteFile::visitRows(const MessageVisitor& visitor, std::vector<std::strin
   // In the order of the table, because sorting here would read the images twice.
   SQLite::Statement rows(*database_, "SELECT id, topic_id, timestamp, data FROM messages");
   std::int64_t last_id = std::numeric_limits<std::int64_t>::min();
+  WrongClock wrong_clock;
   while (rows.executeStep()) {
     const std::int64_t id = rows.getColumn(0).getInt64();
     const auto topic = topics.find(rows.getColumn(1).getInt64());
@@ -116,13 +137,18 @@ void SqliteFile::visitRows(const MessageVisitor& visitor, std::vector<std::strin
     const auto message = plain(blobOf(rows.getColumn(3)));
     const bool in_order = id > last_id;  // otherwise the B-tree of the table is damaged
     last_id = std::max(last_id, id);
-    if (topic == topics.end() || !message || log_ns < 0 || !in_order) {
+    if (topic == topics.end() || !message || !in_order) {
       problems.push_back("message " + std::to_string(id) +
                          " is damaged; copy the bag again, or leave it out by on_corrupt: skip");
       continue;
     }
+    if (log_ns < 0) {
+      wrong_clock.add(id, log_ns);
+      continue;
+    }
     visitor(topic->second, log_ns, {0, static_cast<std::uint64_t>(id), message->size()}, *message);
   }
+  wrong_clock.tell(problems);
 }
 
 Result<std::vector<std::uint8_t>> SqliteFile::read(const MessagePlace& place) {

@@ -33,6 +33,15 @@ bool areFinite(const std::array<double, N>& values) {
   return true;
 }
 
+/// Whether this is a rotation. ROS writes (0, 0, 0, 0) where an orientation is not set. 0.1:
+/// chosen, not tuned; rounding, also to float, is far below it.
+bool isRotation(const std::array<double, 4>& q) {
+  constexpr double kMostNormError = 0.1;
+  double squares = 0;
+  for (const double value : q) squares += value * value;
+  return std::abs(std::sqrt(squares) - 1) <= kMostNormError;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> headerStamp(const Message& message) {
@@ -105,7 +114,7 @@ std::optional<OdometryMessage> readOdometry(const Message& message) {
   odometry.position = fields.numbers<3>();
   odometry.orientation = fields.numbers<4>();
   const bool finite = areFinite(odometry.position) && areFinite(odometry.orientation);
-  if (!fields.ok() || !finite) return std::nullopt;
+  if (!fields.ok() || !finite || !isRotation(odometry.orientation)) return std::nullopt;
   return odometry;
 }
 

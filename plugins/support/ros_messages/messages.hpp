@@ -62,7 +62,8 @@ struct OdometryMessage {
 /// Empty if the message ends before it.
 std::optional<std::int64_t> headerStamp(const Message& message);
 
-/// Empty if the message is incomplete or not of that type.
+/// Empty if the message is incomplete or not of that type, or has numbers that are not finite or an
+/// orientation that is no unit quaternion.
 std::optional<ImageMessage> readImage(const Message& message);
 std::optional<CompressedImageMessage> readCompressedImage(const Message& message);
 std::optional<CameraInfoMessage> readCameraInfo(const Message& message);

@@ -99,6 +99,26 @@ TEST_CASE("a source says at which frames the motion is unknown") {
   }
 }
 
+TEST_CASE("a source says at which frames its motion is a guess: they are lost") {
+  TestContext context;
+  MotionReplay odometry;
+  REQUIRE(odometry.configure(context).isOk());
+  double measured = 0;  // variance
+  for (std::int64_t i = 0; i < 6; ++i) {
+    const bool guessed = i == 3 || i == 4;
+    Frame frame = frameWith(i, {i == 3 ? 0.5 : i == 4 ? 0 : 1.0, 0, 0});
+    frame.sensors.push_back({"motion.lost", {1}, {guessed ? 1.0F : 0.0F}});
+    Motion motion;
+    REQUIRE(odometry.track(frame, motion).isOk());
+    if (i == 0) continue;
+    CHECK(motion.state == (guessed ? TrackingState::Lost : TrackingState::Tracking));
+    CHECK(forward(motion) == Approx(i == 3 ? 0.5 : i == 4 ? 0 : 1).margin(1e-9));
+    if (i == 2) measured = motion.covariance(0, 0);
+    if (guessed) CHECK(motion.covariance(0, 0) == Approx(100 * measured));
+    if (guessed) CHECK(motion.tracked == 0);
+  }
+}
+
 TEST_CASE("noise and bias have the sizes asked for") {
   const auto noisy = replay({{"noise_distance", 0.1}, {"noise_heading", 0.01}}, {4, 0, 0});
   CHECK(spreadOf(noisy, forward).mean == Approx(4).epsilon(0.01));

@@ -59,6 +59,20 @@ TEST_CASE("messages as they are, compressed one by one, and in a compressed file
   }
 }
 
+TEST_CASE("times of recording before 1970 are told once, and not as damage") {
+  const Database database;
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < 4; ++i) messages.push_back(greyImage("/camera", i));
+  for (const std::size_t i : {1U, 2U}) messages[i].log_ns = -5'000'000'000;
+  test::writeDb3(database.path, messages);
+  std::vector<std::string> problems;
+  CHECK(database.messages(problems).size() == 2);
+  CHECK(problems == std::vector<std::string>{
+                        "message 2 was recorded at -5000000000 ns, before 1970, and 1 more like "
+                        "it: the clock was wrong; correct the column timestamp, or leave them out "
+                        "by on_corrupt: skip"});
+}
+
 TEST_CASE("a damaged database and one that is no bag") {
   const Database database;
   test::writeDb3(database.path, kMessages);
