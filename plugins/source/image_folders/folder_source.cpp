@@ -101,7 +101,7 @@ Result<Image> FolderSource::readImage(const std::filesystem::path& file, ImageWa
                               warnings.ofBits(notes.values.beyond_bits, bits)}) {
     if (warning) log_->warning(file.string() + ": " + *warning);
   }
-  used_bits_.add(notes.values.largest);
+  used_bits_.add(notes.values.widths);
   return image;
 }
 

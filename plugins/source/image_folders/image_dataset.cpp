@@ -193,8 +193,8 @@ void checkUsedBits(const ImageDataset& dataset, int bits, std::vector<Finding>& 
   for (const fs::path& file : dataset.left) {
     ImageNotes notes;
     if (!readImageFile(file, false, dataset.size(), bits, &notes).isOk()) continue;
-    if (notes.values.largest < 0) break;
-    used.add(notes.values.largest);
+    if (notes.values.widths.largest() < 0) break;
+    used.add(notes.values.widths);
     if (++images == source_parameters::UsedBits::kJudged) break;
   }
   if (auto warning = used.warning(bits, true)) {

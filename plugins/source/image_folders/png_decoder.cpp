@@ -94,7 +94,7 @@ cv::Mat eightBits(const cv::Mat& deep, int bits, DeepValues& values) {
     std::transform(from, from + deep.cols * deep.channels(), pixels.ptr<std::uint8_t>(r),
                    [&](std::uint16_t v) {
                      const int value = v >> (bits - 8);
-                     values.largest = std::max<int>(values.largest, v);
+                     values.widths.add(v);
                      values.beyond_bits += value > 255 ? 1 : 0;
                      return static_cast<std::uint8_t>(std::min(value, 255));
                    });

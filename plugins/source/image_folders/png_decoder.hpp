@@ -14,13 +14,14 @@
 
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
+#include "value_widths.hpp"
 
 namespace tolman::image_folders {
 
 /// Of the values of an image of 16 bits per channel.
 struct DeepValues {
-  int largest = -1;             ///< -1: the image has 8 bits
-  std::size_t beyond_bits = 0;  ///< number of those that exceed `bits`
+  source_parameters::ValueWidths widths;  ///< empty: the image has 8 bits
+  std::size_t beyond_bits = 0;            ///< number of those that exceed `bits`
 };
 
 /// The same pixels as OpenCV's decoder, as Gray8, or as Bgr8 if `colour`. Of 16 bits per channel
