@@ -20,8 +20,10 @@ namespace tolman::image_folders {
 
 /// Of the values of an image of 16 bits per channel.
 struct DeepValues {
-  source_parameters::ValueWidths widths;  ///< empty: the image has 8 bits
-  std::size_t beyond_bits = 0;            ///< number of those that exceed `bits`
+  int largest = -1;             ///< -1: the image has 8 bits
+  std::size_t beyond_bits = 0;  ///< number of those that exceed `bits`
+  /// Filled in if it has a value: it costs a millisecond for each half a million values.
+  std::optional<source_parameters::ValueWidths> widths;
 };
 
 /// The same pixels as OpenCV's decoder, as Gray8, or as Bgr8 if `colour`. Of 16 bits per channel

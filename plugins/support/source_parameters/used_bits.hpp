@@ -18,16 +18,19 @@ class UsedBits {
  public:
   static constexpr int kJudged = 10;  ///< images; dataset check and init read as many pairs
 
+  /// Whether images that are added still count.
+  bool isJudging() const { return images_ < kJudged; }
+
   /// Counts an image of 16 bits. `largest`: of its values, or negative for other images.
   void add(int largest) {
-    if (largest < 0 || images_ >= kJudged) return;
+    if (largest < 0 || !isJudging()) return;
     ++images_;
     largest_ = std::max(largest_, largest);
   }
 
   /// The same without the few largest values; nothing without values.
   void add(const ValueWidths& widths) {
-    if (images_ < kJudged && widths.usual() < widths.largest()) has_hot_ = true;
+    if (isJudging() && widths.usual() < widths.largest()) has_hot_ = true;
     add(widths.usual());
   }
 

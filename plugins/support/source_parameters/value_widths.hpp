@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How many bits the values of an image of 16 bits need: for each number of bits the count of the
-// values and the largest. A histogram of this few entries costs little more than a maximum.
+// values and the largest, so that a few large ones can be left out.
 #pragma once
 
 #include <algorithm>
