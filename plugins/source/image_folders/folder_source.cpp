@@ -95,13 +95,14 @@ Status FolderSource::next(Frame& frame) {
 Result<Image> FolderSource::readImage(const std::filesystem::path& file, ImageWarnings& warnings) {
   const int bits = parameters_.bits;
   ImageNotes notes;
+  if (used_bits_.isJudging()) notes.values.widths.emplace();
   Result<Image> image = readImageFile(file, parameters_.colour, dataset_.size(), bits, &notes);
   if (!image.isOk()) return image;
   for (const auto& warning : {warnings.ofOrientation(notes.orientation),
                               warnings.ofBits(notes.values.beyond_bits, bits)}) {
     if (warning) log_->warning(file.string() + ": " + *warning);
   }
-  used_bits_.add(notes.values.largest);
+  if (notes.values.widths) used_bits_.add(*notes.values.widths);
   return image;
 }
 

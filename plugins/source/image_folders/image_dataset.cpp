@@ -192,9 +192,10 @@ void checkUsedBits(const ImageDataset& dataset, int bits, std::vector<Finding>& 
   int images = 0;
   for (const fs::path& file : dataset.left) {
     ImageNotes notes;
+    notes.values.widths.emplace();
     if (!readImageFile(file, false, dataset.size(), bits, &notes).isOk()) continue;
     if (notes.values.largest < 0) break;
-    used.add(notes.values.largest);
+    used.add(*notes.values.widths);
     if (++images == source_parameters::UsedBits::kJudged) break;
   }
   if (auto warning = used.warning(bits, true)) {

@@ -154,6 +154,7 @@ Result<ImageHeader> checkImageFile(const fs::path& file) {
 Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected, int bits,
                             ImageNotes* notes) {
   ImageNotes found;
+  if (notes != nullptr && notes->values.widths) found.values.widths.emplace();
   Result<Image> image = checkAndDecode(file, colour, expected, bits, found);
   if (notes != nullptr) *notes = found;
   return image.isOk() ? image : named(file, image.status());

@@ -44,8 +44,8 @@ struct ImageNotes {
 };
 
 /// An image of the size `expected` as Gray8, or as Bgr8 if `colour`; `bits` of 16 are used, see
-/// decodePng(). The orientation in EXIF data does not change the pixels, because the calibration is
-/// of the pixels as stored. `notes`, if given, is filled in.
+/// decodePng(), also for widths of the values. The orientation in EXIF data does not change the
+/// pixels, because the calibration is of the pixels as stored. `notes`, if given, is filled in.
 Result<Image> readImageFile(const std::filesystem::path& file, bool colour, ImageSize expected,
                             int bits = 16, ImageNotes* notes = nullptr);
 

@@ -120,21 +120,52 @@ void checkNumbers(const fs::path& folder, const std::vector<fs::path>& sorted,
   }
 }
 
+/// Names that begin with a point, which file managers hide.
+class HiddenImages {
+ public:
+  /// Whether an image is no frame. ".5" is, as bc and Fortran print it. "._NAME" of macOS, on disks
+  /// of other systems, is no image at all, so it is not counted.
+  bool leavesOut(const fs::path& file) {
+    const std::string name = file.filename().string();
+    if (!name.starts_with('.') || parseExactDecimal(file.stem().string())) return false;
+    if (name.starts_with("._")) return true;
+    ++count_;
+    if (first_.empty() || name < first_) first_ = name;  // folders are read in no fixed order
+    return true;
+  }
+
+  void report(const fs::path& folder, Inspection& inspection) const {
+    if (count_ == 0) return;
+    inspection.warning(
+        folder,
+        count_ == 1
+            ? "has the hidden image " + first_ +
+                  ", which is left out; if it is a frame, rename it without the point"
+            : "has " + std::to_string(count_) + " hidden images, such as " + first_ +
+                  ", which are left out; if they are frames, rename them without the point");
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::string first_;
+};
+
 }  // namespace
 
 std::vector<fs::path> findImages(const fs::path& folder, Inspection& inspection) {
   std::vector<fs::path> images;
+  HiddenImages hidden;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
-    // Hidden files are no frames: macOS adds ._NAME.png on disks of other systems.
-    const bool is_hidden = entry->path().filename().string().starts_with('.');
-    if (!is_hidden && isImage(entry->path())) images.push_back(entry->path());
+    const fs::path& file = entry->path();
+    if (isImage(file) && !hidden.leavesOut(file)) images.push_back(file);
   }
   if (failure) {
     inspection.error(folder, "cannot be read (" + failure.message() + "); check the path");
     return {};
   }
+  hidden.report(folder, inspection);
   if (images.empty()) inspection.error(folder, "has no .png or .jpg images; check the path");
   std::ranges::sort(images, [](const fs::path& a, const fs::path& b) {
     const std::string stem_a = a.stem().string();

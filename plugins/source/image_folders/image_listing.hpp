@@ -10,7 +10,8 @@
 namespace tolman::image_folders {
 
 /// The PNG and JPEG files in `folder`, in any order. It is an error if there are none, or two of
-/// the same name without extension.
+/// the same name without extension. Hidden images (".cover.png") are left out with one warning,
+/// unless their name is a number (".5.png"); macOS's "._NAME.png" without one.
 std::vector<std::filesystem::path> findImages(const std::filesystem::path& folder,
                                               Inspection& inspection);
 

@@ -40,9 +40,13 @@ int naturalOrder(std::string_view a, std::string_view b) {
   return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
 }
 
-/// Latin digits, lower case, no blanks at the ends.
+/// Latin digits, '-' as minus sign, lower case, no blanks at the ends.
 std::string foldedName(std::string_view stem) {
+  constexpr std::string_view kMinus = "\xe2\x88\x92";  // U+2212 in UTF-8
   std::string name = withLatinDigits(stem);
+  for (std::size_t at = name.find(kMinus); at != std::string::npos; at = name.find(kMinus, at)) {
+    name.replace(at, kMinus.size(), "-");
+  }
   std::ranges::transform(name, name.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
@@ -177,13 +181,13 @@ bool naturalLess(std::string_view a, std::string_view b) {
   return order != 0 ? order < 0 : a < b;
 }
 
-std::string withoutThousands(std::string_view text) {
+std::string withoutThousands(std::string_view text, char separator) {
   constexpr std::size_t kGroup = 3;
   std::string without;
   for (std::size_t at = 0; at < text.size(); ++at) {
     std::string_view rest = text.substr(at + 1);
-    const bool separates =
-        text[at] == ',' && at > 0 && isDigit(text[at - 1]) && takeDigits(rest).size() == kGroup;
+    const bool separates = text[at] == separator && at > 0 && isDigit(text[at - 1]) &&
+                           takeDigits(rest).size() == kGroup;
     if (!separates) without += text[at];
   }
   return without;

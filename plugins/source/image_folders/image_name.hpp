@@ -18,8 +18,9 @@ struct ImageName {
   bool has_version = false;  ///< has digits joined by more than one point, such as 1.2.3
 };
 
-/// Upper case counts as lower case, digits of other scripts as 0 to 9, and blanks at the ends do
-/// not count. If `numeric`, names that are one number as a whole may have an exponent without sign
+/// Upper case counts as lower case, digits of other scripts as 0 to 9, U+2212 as '-', and blanks at
+/// the ends do not count. If `numeric`, names that are one number as a whole may have an exponent
+/// without sign
 /// ("1e5").
 ImageName parseImageName(std::string_view stem, bool numeric);
 
@@ -27,7 +28,8 @@ ImageName parseImageName(std::string_view stem, bool numeric);
 /// A total order.
 bool naturalLess(std::string_view a, std::string_view b);
 
-/// The text without commas that may separate thousands: "1,024" becomes "1024", "1,5" stays.
-std::string withoutThousands(std::string_view text);
+/// The text without commas, or another `separator`, that may separate thousands: "1,024" becomes
+/// "1024", "1,5" stays.
+std::string withoutThousands(std::string_view text, char separator = ',');
 
 }  // namespace tolman::image_folders

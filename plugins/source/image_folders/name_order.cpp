@@ -35,10 +35,33 @@ Indices byNumbers(const std::vector<ImageName>& names) {
   });
 }
 
-/// The order if commas before three digits separate thousands; equal numbers as in `stems`.
+/// Whether each `separator` between digits may separate thousands: one to three digits without
+/// leading zero, then groups of three. "cam1_999" and "cam1_1000" have counts of another kind.
+bool separatesThousands(const std::vector<std::string>& stems, char separator) {
+  const auto isOther = [separator](const std::string& stem) {
+    const std::string without = withoutThousands(stem, separator);
+    for (std::size_t at = 1; at + 1 < without.size(); ++at) {
+      if (without[at] == separator && isDigit(without[at - 1]) && isDigit(without[at + 1])) {
+        return true;
+      }
+    }
+    const std::size_t at = stem.find(separator, stem.find_first_of("0123456789"));
+    if (without == stem || at == std::string::npos) return false;
+    std::size_t first = at;
+    while (first > 0 && isDigit(stem[first - 1])) --first;
+    return at - first > 3 || stem[first] == '0';
+  };
+  return std::ranges::none_of(stems, isOther);
+}
+
+/// The order if commas before three digits, or other separators, separate thousands; equal numbers
+/// as in `stems`.
 Indices byThousands(const std::vector<std::string>& stems) {
-  std::vector<std::string> without;
-  for (const std::string& stem : stems) without.push_back(withoutThousands(stem));
+  std::vector<std::string> without = stems;
+  for (const char separator : {',', '_', ' ', '\''}) {
+    if (separator != ',' && !separatesThousands(stems, separator)) continue;
+    for (std::string& stem : without) stem = withoutThousands(stem, separator);
+  }
   return sortedBy(stems.size(), [&](std::size_t a, std::size_t b) {
     return without[a] != without[b] ? naturalLess(without[a], without[b])
                                     : naturalLess(stems[a], stems[b]);

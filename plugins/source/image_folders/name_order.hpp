@@ -8,7 +8,8 @@
 // - by the numbers, unless two names are the same number (1.1 and 1.10 are the first and the tenth
 //   image of a series), or only some have digits joined by two points (1.2 and 1.2.3);
 // - otherwise the natural order.
-// It is also in doubt where commas before three digits may separate thousands.
+// It is also in doubt where commas before three digits may separate thousands, or where '_', a
+// blank or an apostrophe stands between digits of all names only as thousands are separated.
 #pragma once
 
 #include <cstddef>

@@ -98,6 +98,9 @@ cv::Mat eightBits(const cv::Mat& deep, int bits, DeepValues& values) {
                      values.beyond_bits += value > 255 ? 1 : 0;
                      return static_cast<std::uint8_t>(std::min(value, 255));
                    });
+    if (!values.widths) continue;
+    std::for_each(from, from + deep.cols * deep.channels(),
+                  [&](std::uint16_t v) { values.widths->add(v); });
   }
   return pixels;
 }
@@ -131,6 +134,7 @@ Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits, D
   if (pixels.empty()) return damaged();
   if (pixels.depth() != CV_16U) return asImage(pixels);
   DeepValues found;
+  if (values != nullptr && values->widths) found.widths.emplace();
   const cv::Mat converted = eightBits(pixels, bits, found);
   if (values != nullptr) *values = found;
   return asImage(converted);

@@ -14,6 +14,7 @@
 
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
+#include "value_widths.hpp"
 
 namespace tolman::image_folders {
 
@@ -21,6 +22,8 @@ namespace tolman::image_folders {
 struct DeepValues {
   int largest = -1;             ///< -1: the image has 8 bits
   std::size_t beyond_bits = 0;  ///< number of those that exceed `bits`
+  /// Filled in if it has a value: it costs a millisecond for each half a million values.
+  std::optional<source_parameters::ValueWidths> widths;
 };
 
 /// The same pixels as OpenCV's decoder, as Gray8, or as Bgr8 if `colour`. Of 16 bits per channel

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "exact_decimal.hpp"
 #include "text_file.hpp"
 
 namespace tolman::image_folders {
@@ -114,10 +115,27 @@ Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspecti
   return T;
 }
 
+/// What to do about times of another unit than the one in which they are read.
+std::string otherUnit(TimeUnit unit) {
+  return "is their unit another than " + nameOf(unit) +
+         "? Set stamps_unit (of `images`; `euroc` reads nanoseconds, so use `images` with "
+         "stamps_in_names for other units)";
+}
+
+/// Warns of median steps that cameras hardly have, such as seconds read as nanoseconds give them.
+void checkShortStep(const fs::path& file, std::int64_t usual_ns, TimeUnit unit,
+                    Inspection& inspection) {
+  constexpr std::int64_t kShortest_ns = 100'000;  // 10 kHz
+  if (usual_ns <= 0 || usual_ns >= kShortest_ns) return;
+  inspection.warning(file, "has images " + std::to_string(usual_ns) +
+                               " ns apart (median), more than 10000 a second, by times in " +
+                               nameOf(unit) + "; " + otherUnit(unit));
+}
+
 /// Warns of gaps of more than a day that are also longer than a thousand median steps. Detects
 /// times with a wrong unit by their median step: milliseconds read as seconds give cameras of 10 to
 /// 100 Hz steps of 100 to 10 s, and no odometry can follow images that are so far apart.
-void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
+void checkStep(const fs::path& file, const std::vector<std::int64_t>& times, TimeUnit unit,
                Inspection& inspection) {
   constexpr std::int64_t kDay_ns = 86'400'000'000'000;
   constexpr std::int64_t kUnusual_ns = 5'000'000'000;
@@ -128,6 +146,7 @@ void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
   const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), median, steps.end());
   const std::int64_t usual = *median;
+  checkShortStep(file, usual, unit, inspection);
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const std::int64_t step = times[i + 1] - times[i];
     if (step < kDay_ns || step / 1000 < usual) continue;
@@ -145,6 +164,18 @@ void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
   } else {
     inspection.warning(file, found + "if the times are in milliseconds, divide them by 1000");
   }
+}
+
+/// Different numbers that are the same time were rounded to nanoseconds.
+void reportEqual(const fs::path& before, const fs::path& file, TimeUnit unit,
+                 Inspection& inspection) {
+  const bool is_rounded =
+      parseExactDecimal(before.stem().string()) != parseExactDecimal(file.stem().string());
+  inspection.error(file,
+                   "its name is the same time as that of " + before.filename().string() +
+                       (is_rounded ? ", because times in " + nameOf(unit) +
+                                         " are rounded to whole nanoseconds; " + otherUnit(unit)
+                                   : "; correct one of the names, or remove one of the images"));
 }
 
 }  // namespace
@@ -172,7 +203,7 @@ std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& col
     if (ns) previous = ns;
     sound = sound && ns;
   }
-  if (sound) checkStep(file, times, inspection);
+  if (sound) checkStep(file, times, unit, inspection);
   return times;
 }
 
@@ -198,14 +229,12 @@ std::vector<std::int64_t> sortByTimes(std::vector<fs::path>& files, TimeUnit uni
     files[i] = timed[i].second;
     const bool is_time = timed[i].first != kNone;
     if (i > 0 && is_time && timed[i].first == timed[i - 1].first) {
-      inspection.error(files[i], "its name is the same time as that of " +
-                                     files[i - 1].filename().string() +
-                                     "; correct one of the names, or remove one of the images");
+      reportEqual(files[i - 1], files[i], unit, inspection);
     }
     times.push_back(is_time ? timed[i].first : 0);
   }
   if (!inspection.hasErrors() && !files.empty()) {
-    checkStep(files.front().parent_path(), times, inspection);
+    checkStep(files.front().parent_path(), times, unit, inspection);
   }
   return times;
 }

@@ -26,7 +26,7 @@ constexpr int digitsOf(TimeUnit unit) { return 9 - 3 * static_cast<int>(unit); }
 /// Stamps in ns; they must increase strictly. `column` is a name in the first line of the table, or
 /// empty for a file with one number per line. A line with an error gives an error in `inspection`
 /// and still counts as an entry. A median step that suggests another unit is an error (over 10 s)
-/// or a warning (over 5 s).
+/// or a warning (over 5 s, below 0.1 ms).
 std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std::string& column,
                                     Inspection& inspection, TimeUnit unit = TimeUnit::Seconds);
 

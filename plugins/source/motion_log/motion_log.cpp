@@ -56,11 +56,9 @@ Status MotionLog::loadTruth(const fs::path& file) {
                               "; give the truth of this sequence");
 }
 
-void MotionLog::addDoubts(const std::string& name, const std::vector<PlanarPose>& poses) {
+void MotionLog::addDoubts(const std::string& name, std::vector<std::string> texts) {
   const std::string file = (fs::path(parameters_.path) / name).string();
-  for (std::string& text : unitDoubts(poses, parameters_.rate)) {
-    doubts_.emplace_back(file, std::move(text));
-  }
+  for (std::string& text : texts) doubts_.emplace_back(file, std::move(text));
 }
 
 Status MotionLog::load() {
@@ -72,8 +70,11 @@ Status MotionLog::load() {
   drive_ = digest(poses_);
   if (Status status = loadTruth(folder / parameters_.truth); !status.isOk()) return status;
   if (Status status = loadCandidates(); !status.isOk()) return status;
-  addDoubts(parameters_.odometry, poses_);
-  addDoubts(parameters_.truth, truth_);
+  addDoubts(parameters_.odometry, unitDoubts(poses_, parameters_.rate));
+  addDoubts(parameters_.truth, unitDoubts(truth_, parameters_.rate));
+  std::vector<Edge> candidates;
+  for (const auto& [from, edge] : candidates_) candidates.push_back(edge);
+  addDoubts(parameters_.candidates, candidateDoubts(candidates, poses_));
   std::vector<std::int64_t> stamps;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     stamps.push_back(std::llround(static_cast<double>(i) * 1e9 / parameters_.rate));

@@ -81,7 +81,7 @@ class MotionLog final : public Source, public ArrayDescriptions {
  private:
   Status loadTruth(const std::filesystem::path& file);
   Status load();
-  void addDoubts(const std::string& name, const std::vector<PlanarPose>& poses);
+  void addDoubts(const std::string& name, std::vector<std::string> texts);
   Status loadCandidates();
   void addCandidates(std::int64_t here, Frame& frame) const;
 

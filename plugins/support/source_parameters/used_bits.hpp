@@ -8,18 +8,30 @@
 #include <optional>
 #include <string>
 
+#include "value_widths.hpp"
+
 namespace tolman::source_parameters {
 
-/// The largest values of the images of a source, in the order in which it gives them.
+/// The largest values of the images of a source, in the order in which it gives them; one in ten
+/// thousand values may be larger, because a single hot pixel says nothing of the others.
 class UsedBits {
  public:
   static constexpr int kJudged = 10;  ///< images; dataset check and init read as many pairs
 
+  /// Whether images that are added still count.
+  bool isJudging() const { return images_ < kJudged; }
+
   /// Counts an image of 16 bits. `largest`: of its values, or negative for other images.
   void add(int largest) {
-    if (largest < 0 || images_ >= kJudged) return;
+    if (largest < 0 || !isJudging()) return;
     ++images_;
     largest_ = std::max(largest_, largest);
+  }
+
+  /// The same without the few largest values; nothing without values.
+  void add(const ValueWidths& widths) {
+    if (isJudging() && widths.usual() < widths.largest()) has_hot_ = true;
+    add(widths.usual());
   }
 
   /// Once, if a value needs more than `bits`: a warning that follows the name of the image.
@@ -41,8 +53,9 @@ class UsedBits {
         std::ranges::find_if(kUsual, [&](int b) { return largest_ >> b == 0; });
     if (largest_ == 0 || fits == kUsual.end() || *fits > bits - 2) return std::nullopt;
     const std::string brightest = std::to_string(largest_ >> (bits - 8));
-    return "the values of the first " + std::to_string(images_) + " images of 16 bits stay below " +
-           std::to_string(1 << *fits) + ", so that no grey level is above " + brightest +
+    return std::string(has_hot_ ? "nearly all" : "the") + " values of the first " +
+           std::to_string(images_) + " images of 16 bits stay below " + std::to_string(1 << *fits) +
+           ", so that no grey level is above " + brightest +
            " of 255; set source.bits=" + std::to_string(*fits) +
            " (in a command without configuration: bits=" + std::to_string(*fits) +
            "), unless the scene is that dark";
@@ -51,6 +64,7 @@ class UsedBits {
  private:
   int images_ = 0;
   int largest_ = 0;
+  bool has_hot_ = false;  ///< larger values were left out
   bool is_told_ = false;
   bool is_beyond_told_ = false;
 };

@@ -88,6 +88,33 @@ TEST_CASE("without tables the names of the images are the stamps, as in TUM-VI")
   CHECK(pair.frames[1].stamp_ns == 1403715273362142976);
 }
 
+TEST_CASE("names in seconds: the unit is named, and the parameter that sets it") {
+  const auto write = [](const DataFolder& data, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      data.writeImage("cam0/data/" + name + ".png", 64, 48, 1);
+    }
+    data.write("cam0/sensor.yaml", sensor(0));
+  };
+  const std::string remedy =
+      "is their unit another than ns? Set stamps_unit (of `images`; `euroc` reads nanoseconds, so "
+      "use `images` with stamps_in_names for other units)";
+  const DataFolder whole;
+  write(whole, {"1403715001", "1403715002", "1403715003"});
+  EurocOpened seconds(whole, {{"mono", true}});
+  REQUIRE(seconds.message.empty());
+  const auto findings = inspect(seconds.source);
+  REQUIRE(findings.size() == 2);
+  CHECK_THAT(findings[0], Catch::Contains("has images 1 ns apart (median), more than 10000 a "
+                                          "second, by times in ns; " +
+                                          remedy));
+  const DataFolder decimals;
+  write(decimals, {"1403715273.262142", "1403715273.312142", "1403715273.362142"});
+  CHECK_THAT(EurocOpened(decimals, {{"mono", true}}).message,
+             Catch::Contains("its name is the same time as that of 1403715273.262142.png, because "
+                             "times in ns are rounded to whole nanoseconds; " +
+                             remedy));
+}
+
 TEST_CASE("what is missing in EuRoC's layout is named") {
   const DataFolder data;
   CHECK(EurocOpened(data).message ==

@@ -23,6 +23,41 @@ TEST_CASE("a folder's images, and only they") {
   CHECK_FALSE(inspection.hasErrors());
 }
 
+TEST_CASE("hidden images are frames if their names are numbers, otherwise one warning") {
+  const DataFolder data;
+  for (const char* name : {"1.0", "1.1", ".8", ".9", ".25", "._1.0"}) {
+    data.write(std::string("x/") + name + ".png", "");
+  }
+  data.write("x/.notes.txt", "");
+  const auto namesOf = [&](Inspection& inspection) {
+    std::string names;
+    for (const auto& file : listImages(data.path("x"), inspection)) {
+      names += file.stem().string() + " ";
+    }
+    return names;
+  };
+  Inspection numbers;
+  CHECK(namesOf(numbers) == ".25 .8 .9 1.0 1.1 ");  // by value, so in doubt: .25 may follow .9
+  REQUIRE(numbers.findings().size() == 1);
+  CHECK(numbers.findings()[0].message.starts_with("has names whose order is in doubt: .25.png"));
+  data.remove("x/.25.png");
+  data.write("x/.cover.png", "");
+  Inspection one;
+  CHECK(namesOf(one) == ".8 .9 1.0 1.1 ");
+  REQUIRE(one.findings().size() == 1);
+  CHECK(one.findings()[0].severity == Finding::Severity::Warning);
+  CHECK(one.findings()[0].message ==
+        "has the hidden image .cover.png, which is left out; if it is a frame, rename it without "
+        "the point");
+  data.write("x/.back.JPG", "");
+  Inspection two;
+  CHECK(namesOf(two) == ".8 .9 1.0 1.1 ");
+  REQUIRE(two.findings().size() == 1);
+  CHECK(two.findings()[0].message ==
+        "has 2 hidden images, such as .back.JPG, which are left out; if they are frames, rename "
+        "them without the point");
+}
+
 TEST_CASE("a gap in the numbers of evenly numbered images is one warning a folder") {
   const DataFolder data;
   const auto warnings = [&](const std::string& folder, const std::vector<int>& numbers) {

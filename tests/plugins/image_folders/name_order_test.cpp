@@ -127,6 +127,36 @@ TEST_CASE("commas may separate thousands: told, and read as decimal ones") {
   CHECK_FALSE(isTold(orderNames({"a 1,5 1", "a 1,5 2"})));
 }
 
+TEST_CASE("other separators of thousands are told as commas are") {
+  for (const std::string separator : {"_", " ", "'"}) {
+    INFO(separator);
+    for (const std::string prefix : {"", "f-"}) {
+      const Names names = {prefix + "998", prefix + "999", prefix + "1" + separator + "000",
+                           prefix + "1" + separator + "001"};
+      const NameOrder order = orderNames(names);
+      CHECK(order.indices == std::vector<std::size_t>{2, 3, 0, 1});
+      CHECK(order.doubt == NameOrder::Pair(2, 0));
+    }
+    const auto joined = [&](const char* a, const char* b) { return a + separator + b; };
+    // Counts and dates that only contain three digits.
+    CHECK_FALSE(isTold(orderNames({joined("1", "999"), joined("1", "1000")})));
+    CHECK_FALSE(isTold(orderNames({joined("1", "998"), joined("1", "999"), joined("2", "000")})));
+    CHECK_FALSE(isTold(orderNames({joined("20240102", "100"), joined("20240102", "200")})));
+    CHECK_FALSE(isTold(orderNames({joined("01", "999"), joined("02", "000"), "500"})));
+  }
+}
+
+TEST_CASE("U+2212 is a minus sign") {
+  const std::string minus = "\xe2\x88\x92";
+  const Names names = {minus + "0.5", minus + "1.5", minus + "2.5"};
+  const NameOrder order = orderNames(names);
+  CHECK(order.indices == std::vector<std::size_t>{2, 1, 0});
+  CHECK(order.doubt);
+  const NameOrder mixed = orderNames({"0.5", "1.5", minus + "0.5", "-1.5"});
+  CHECK(mixed.indices == std::vector<std::size_t>{3, 2, 0, 1});
+  CHECK(mixed.strays.empty());
+}
+
 TEST_CASE("two names of one number are told also where the order is not in doubt") {
   for (const Names& names : {Names{"01", "1", "2"}, Names{"1", "1.0", "2.0"}, Names{"A", "a", "b"},
                              Names{"1.1", "1.10"}, Names{"frame_007", "frame_7"}}) {

@@ -102,6 +102,38 @@ TEST_CASE("a folder of 10 bit images in files of 16 bits is told of by run and c
   CHECK(right.findings.empty());
 }
 
+TEST_CASE("a few hot pixels do not hide that the others use 12 bits") {
+  const auto widthsOf = [](int many, int hot) {
+    source_parameters::ValueWidths widths;
+    for (int i = 0; i < many; ++i) widths.add(static_cast<std::uint16_t>(i % 4096));
+    for (int i = 0; i < hot; ++i) widths.add(65535);
+    return widths;
+  };
+  CHECK(source_parameters::ValueWidths().largest() == -1);
+  CHECK(source_parameters::ValueWidths().usual() == -1);
+  CHECK(widthsOf(99'990, 10).usual() == 4095);
+  CHECK(widthsOf(99'990, 10).largest() == 65535);
+  CHECK(widthsOf(99'990, 11).usual() == 65535);
+  CHECK(widthsOf(9'000, 1).usual() == 65535);  // one in ten thousand is less than one
+  const DataFolder data;
+  std::filesystem::create_directories(data.path("deep"));
+  for (int i = 0; i < 12; ++i) {
+    cv::Mat image(120, 160, CV_16UC1, cv::Scalar(4000));
+    image.at<std::uint16_t>(i, i) = 65535;
+    const std::string name = data.path("deep").string() + "/" + std::to_string(10 + i) + ".png";
+    REQUIRE(cv::imwrite(name, image));
+  }
+  const Told told = toldOf(data);
+  REQUIRE(told.log.size() == 1);
+  CHECK(told.log[0].find(": nearly all values of the first 10 images of 16 bits stay below 4096") !=
+        std::string::npos);
+  CHECK(told.log[0].find("set source.bits=12 ") != std::string::npos);
+  REQUIRE(told.findings.size() == 1);
+  const Told beyond = toldOf(data, {{"bits", std::int64_t{12}}});
+  REQUIRE(beyond.log.size() == 1);  // of the true maximum
+  CHECK(beyond.log[0].find("has 1 values of more than 12 bits") != std::string::npos);
+}
+
 TEST_CASE("fewer images than are judged are told of at the last one") {
   const DataFolder data;
   writeDeep(data, 4, 4000);
