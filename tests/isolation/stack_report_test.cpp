@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <string>
+#include <thread>
 
 using tolman::isolation::ChildProcess;
 using tolman::isolation::placeInStack;
@@ -55,7 +57,6 @@ TEST_CASE("a process that does not take part is not asked: the signal would end 
 
 TEST_CASE("a process that takes part is asked by the signal") {
   const StackReport report;
-  write(report, "ready\n");
   const std::string number = std::to_string(report.descriptor());
   const std::string line = R"(  File \"/home/me/cells/mine.py\", line 7 in step)";
   ChildProcess child({"/bin/sh", "-c",
@@ -63,7 +64,10 @@ TEST_CASE("a process that takes part is asked by the signal") {
                           "; while :; do sleep 0.01; done"},
                      {report.descriptor()});
   std::string found;
-  for (int i = 0; found.empty() && i < 20; ++i) found = report.ask(child, kProgram);
+  for (int i = 0; found.empty() && i < 1000; ++i) {  // it is not asked before it has written "set"
+    found = report.ask(child, kProgram);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   CHECK(found == "mine.py:7, in step");
 }
 

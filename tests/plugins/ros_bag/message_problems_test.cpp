@@ -101,7 +101,7 @@ TEST_CASE("times before 1970 are told, and never silently replaced") {
   std::vector<test::RosMessage> all;
   for (int i = 0; i < 4; ++i) {
     all.push_back(greyImage("/camera", i));
-    all.back().bytes = imageAt(-5'000'000'000 + i * 1'000'000'000);
+    all.back().bytes = imageAt(-5'000'000'000 + std::int64_t{i} * 1'000'000'000);
   }
   test::writeDb3(folder.path() / "all.db3", all);
   const std::string text =
