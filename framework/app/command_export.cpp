@@ -118,6 +118,7 @@ void exportByPython(const std::string& kind, const ExportCommand& asked, const c
 
 /// Warns if the run has recorded more while Python wrote its files.
 void warnOfLaterState(const record::RunReader& first, const std::string& run) {
+  if (first.hasEnd()) return;
   const auto now = record::RunReader::open(run);
   if (!now.isOk()) return;  // it could be opened before: other warnings are of damage
   const std::int64_t before = valueOrEnd(first.nextFrame());

@@ -197,14 +197,7 @@ std::string scaleHint(const Matches& matches) {
   if (!similarity.isOk()) return "";
   const double scale = similarity.value().scale;
   if (scale < kFactor && scale * kFactor > 1) return "";
-  const Matches scaled = aligned(matches, similarity.value());
-  double squares = 0;
-  for (std::size_t i = 0; i < scaled.truth.size(); ++i) {
-    squares += (scaled.truth[i].T_world_camera.translation() -
-                scaled.estimate[i].T_world_camera.translation())
-                   .squaredNorm();
-  }
-  const double error = std::sqrt(squares / static_cast<double>(scaled.truth.size()));
+  const double error = absoluteError(aligned(matches, similarity.value())).rmse;
   if (!(error < kAgreement * truth)) return "";
   return fmt::format(
       "the estimate is the true path but for its scale: multiplied by {:.3g} it agrees within "

@@ -12,8 +12,8 @@ namespace {
 
 /// The counts of rows are the last that a run records, and only then its run.json says that it has
 /// ended. So without them the end of the record is missing.
-Status endIsThere(const std::filesystem::path& file, const std::string& counts) {
-  if (!counts.empty() || !RunDirectory::hasEnded(file.parent_path())) return Status::ok();
+Status endIsThere(const std::filesystem::path& file, bool has_counts) {
+  if (has_counts || !RunDirectory::hasEnded(file.parent_path())) return Status::ok();
   return Status::invalidInput(
       file.string() +
       ": lacks the end of the run, which has ended by run.json; if run.sqlite-wal was not copied "
@@ -34,15 +34,13 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
   }
   std::unique_ptr<RunReader> reader;
   std::string id;
-  std::string counts;
   const Status status = guarded(file.string(), [&] {
     reader.reset(new RunReader(directory, file));
     id = reader->entry(kRunIdKey);
-    counts = reader->entry(kRowCountsKey);
   });
   if (!status.isOk()) return Status::invalidInput(status.message());
   Status of_run = isOfRun(file, id, runIdOf(directory));
-  if (of_run.isOk()) of_run = endIsThere(file, counts);
+  if (of_run.isOk()) of_run = endIsThere(file, reader->hasEnd());
   if (!of_run.isOk()) return of_run;
   return reader;
 }

@@ -75,6 +75,8 @@ class RunReader {
   const std::filesystem::path& directory() const { return directory_; }
   /// Whether open() compared all rows with the sums of the record: for unfinished runs.
   bool rowsWereCompared() const { return rows_were_compared_; }
+  /// Whether the run had ended, and its record grows no more.
+  bool hasEnd() const { return !rows_were_compared_; }
   const Database& database() const { return database_; }
 
  private:

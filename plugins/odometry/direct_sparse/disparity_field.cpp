@@ -26,7 +26,7 @@ void DisparityField::configure(int width, int height, double focal, double focal
 void DisparityField::clear() {
   first_ = 0;
   change_.setZero();
-  follow();
+  updateCompensation();
 }
 
 DisparityField::Terms DisparityField::termsAt(double u, double v, double disparity) const {
@@ -37,12 +37,12 @@ DisparityField::Terms DisparityField::termsAt(double u, double v, double dispari
 
 void DisparityField::move(const Terms& step) {
   change_ += step;
-  follow();
+  updateCompensation();
 }
 
-void DisparityField::believe(double offset) {
+void DisparityField::startFrom(double offset) {
   first_ = offset;
-  follow();
+  updateCompensation();
 }
 
 double DisparityField::calibrationShare(double offset) const {
@@ -57,6 +57,8 @@ double DisparityField::calibrationShare(double offset) const {
   return (still + turned * left / both) / (still + turned);
 }
 
-void DisparityField::follow() { compensated_ = by_disparity_ * calibrationShare(offset()); }
+void DisparityField::updateCompensation() {
+  compensated_ = by_disparity_ * calibrationShare(offset());
+}
 
 }  // namespace tolman::direct_sparse

@@ -65,14 +65,14 @@ class DisparityField {
   double at(double u, double v, double disparity) const { return sum(termsAt(u, v, disparity)); }
   const Terms& changes() const { return change_; }
   void move(const Terms& step);
-  /// The offset is believed to have this value, px, before it is estimated.
-  void believe(double offset);
+  /// The value of the offset, px, from which the estimate starts and which its prior expects.
+  void startFrom(double offset);
 
   /// The part of an offset (px) that calibration is expected to have left, 0 to 1.
   double calibrationShare(double offset) const;
 
  private:
-  void follow();
+  void updateCompensation();
 
   int width_ = 1;
   int height_ = 1;

@@ -104,7 +104,7 @@ TEST_CASE("an offset of all disparities is found when it is let free, and ruins 
   const auto shiftedWindow = [](double hold) {
     auto window = held();
     window->prior.H(kOffsetIndex, kOffsetIndex) = hold;
-    window->field.believe(-0.5);  // believed, while the images have none
+    window->field.startFrom(-0.5);  // expected, while the images have none
     return window;
   };
   LinearSystem system;

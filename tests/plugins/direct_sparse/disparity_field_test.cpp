@@ -25,7 +25,7 @@ DisparityField fieldAt(double distance) {
 TEST_CASE(
     "an offset that calibration left vanishes at its distance, apart from the share of turns") {
   DisparityField field = fieldAt(4);
-  field.believe(0.1);
+  field.startFrom(0.1);
   const double share = field.calibrationShare(0.1);
   CHECK(field.at(300, 100, 0) == Approx(0.1));
   CHECK(field.at(300, 100, kFocalBaseline / 4) == Approx(0.1 * (1 - share)));
@@ -34,7 +34,7 @@ TEST_CASE(
 
 TEST_CASE("without a distance of calibration an offset is the same everywhere") {
   DisparityField field = fieldAt(0);
-  field.believe(0.1);
+  field.startFrom(0.1);
   for (const double disparity : {0.0, 5.0, 100.0}) {
     CHECK(field.at(10, 10, disparity) == Approx(0.1));
   }

@@ -54,7 +54,7 @@ TEST_CASE("poses at a wrong place are not") {
 
 TEST_CASE("an offset of all disparities is taken into account") {
   CheckCase c;
-  c.window->field.believe(30);
+  c.window->field.startFrom(30);
   CHECK_FALSE(c.at(test::streetPose(3)).confirms());
 }
 
