@@ -10,6 +10,7 @@
 
 #include "config/nearest_name.hpp"
 #include "experiment/comparison_notes.hpp"
+#include "experiment/level_names.hpp"
 #include "experiment/mixtures.hpp"
 #include "experiment/repeated_rows.hpp"
 #include "record/output_places.hpp"
@@ -67,9 +68,8 @@ class Comparer {
     if (status.isOk()) status = refuseCopies(pointersTo(rows_));
     if (status.isOk()) status = comparison_.by.empty() ? namedOnce() : countOnce();
     if (!status.isOk()) return status;
-    std::set<std::string> truths;
-    for (const RunRow& row : rows_) truths.insert(row.truth);
-    comparison_.truths = truths.size();
+    countTruths();
+    tellUnknownResultsApart();
     comparison_.alignment = rows_.front().alignment;
     warnOfEqualResults();
     for (std::string& text : trackingNotes(rows_)) note(std::move(text));
@@ -184,6 +184,19 @@ class Comparer {
     return Status::ok();
   }
 
+  void countTruths() {
+    std::set<std::string> truths;
+    for (const RunRow& row : rows_) truths.insert(row.truth);
+    comparison_.truths = truths.size();
+  }
+
+  /// Results without a digest are not known to be equal: each counts as results of its own.
+  void tellUnknownResultsApart() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (rows_[i].results.empty()) rows_[i].results = fmt::format("unknown {}", i);
+    }
+  }
+
   struct SettingCounts {
     std::size_t all = 0;
     std::size_t equal = 0;  ///< settings in which several seeds gave the same results
@@ -193,7 +206,7 @@ class Comparer {
     std::map<std::string, std::set<std::string>> results;
     std::map<std::string, std::size_t> runs;
     for (const RunRow& row : rows_) {
-      const std::string setting = row.labelsWithout("seed");
+      const std::string setting = row.labelsWithout({"seed"});
       results[setting].insert(row.results);
       ++runs[setting];
     }
@@ -238,22 +251,16 @@ class Comparer {
   }
 
   std::string levelOf(const RunRow& row) const {
-    std::string level;
-    for (const std::string& factor : comparison_.by) {
-      level += (level.empty() ? "" : ", ") + row.label(factor);
-    }
+    const std::string level = LevelNames::nameOf(row, comparison_.by);
     return level.empty() ? row.name : level;
   }
 
   /// Labels that paired runs of two levels must have in common, besides the sequence.
   std::string restOf(const RunRow& row) const {
-    std::string rest;
-    if (comparison_.by.empty()) return rest;
-    for (const Factor& factor : row.factors) {
-      const bool is_by = std::ranges::find(comparison_.by, factor.name) != comparison_.by.end();
-      if (!is_by && factor.name != "sequence") rest += factor.name + "=" + factor.label + "\n";
-    }
-    return rest;
+    if (comparison_.by.empty()) return "";
+    std::vector<std::string> left_out = comparison_.by;
+    left_out.emplace_back("sequence");
+    return row.labelsWithout(left_out);
   }
 
   /// Values by seed. Runs of one seed that differ in other factors are not independent: they count
@@ -268,9 +275,11 @@ class Comparer {
   /// The values of all runs by level. `order`: the levels in the order of the rows.
   Status collectValues(std::vector<std::string>& order,
                        std::map<std::string, Values>& values) const {
+    LevelNames names;
     for (const RunRow& row : rows_) {
       const std::string level = levelOf(row);
       if (!values.contains(level)) order.push_back(level);
+      if (Status status = names.add(row, comparison_.by); !status.isOk()) return status;
       const Measured run = {row.metrics.at(comparison_.metric), row.label("seed"), &row};
       const auto [other, is_new] =
           values[level][row.label("sequence")].try_emplace(restOf(row), run);
@@ -312,6 +321,7 @@ class Comparer {
     }
     for (const std::string& label : order) comparison_.levels.push_back(makeLevel(label, values));
     if (fewest_ >= kMinSeeds && order.size() > 1) noteFewSamples();
+    noteUnevenRuns(values);
     const std::size_t runs = comparison_.levels.front().summary.n;
     if (!std::ranges::all_of(comparison_.levels,
                              [&](const Level& l) { return l.summary.n == runs; })) {
@@ -322,10 +332,32 @@ class Comparer {
     return Status::ok();
   }
 
-  void noteFewSamples() {
+  /// The mean of a level is over runs, its interval over sequences and seeds. They are of one
+  /// estimate only if all sequences, and all seeds of one, have as many runs.
+  void noteUnevenRuns(const std::map<std::string, Values>& values) {
+    std::vector<std::string> uneven;
+    for (const Level& level : comparison_.levels) {
+      std::set<std::size_t> runs;
+      std::set<std::size_t> seeds;
+      for (const auto& [sequence, own] : values.at(level.label)) {
+        std::map<std::string, std::size_t> by_seed;
+        for (const auto& [rest, run] : own) ++by_seed[run.seed];
+        runs.insert(own.size());
+        for (const auto& [seed, count] : by_seed) seeds.insert(count);
+      }
+      if (level.interval && (runs.size() > 1 || seeds.size() > 1)) uneven.push_back(level.label);
+    }
+    if (!uneven.empty()) note(unevenRunsNote(uneven));
+  }
+
+  std::size_t sequenceCount() const {
     std::set<std::string> sequences;
     for (const RunRow& row : rows_) sequences.insert(row.label("sequence"));
-    const std::string text = fewSamplesNote(sequences.size(), fewest_);
+    return sequences.size();
+  }
+
+  void noteFewSamples() {
+    const std::string text = fewSamplesNote(sequenceCount(), fewest_);
     if (!text.empty()) note(text);
   }
 
@@ -345,6 +377,7 @@ class Comparer {
     PairedDifference paired;
     std::vector<std::vector<double>> groups;
     std::vector<double> means;
+    std::size_t fewest = fewest_;
     for (const auto& [sequence, runs] : level) {
       const auto same = baseline.find(sequence);
       if (same == baseline.end()) continue;
@@ -357,11 +390,14 @@ class Comparer {
       }
       if (differences.empty()) continue;
       groups.push_back(meansOf(differences));
+      fewest = std::min(fewest, groups.back().size());
       means.push_back(summaryOf(groups.back()).mean);
     }
     if (groups.empty()) return paired;
     paired.mean = summaryOf(means).mean;
-    if (fewest_ < kMinSeeds) return paired;
+    // Of one sequence of several, seeds would be tested where the other levels test sequences.
+    const bool is_of_seeds = groups.size() == 1 && sequenceCount() > 1;
+    if (fewest < kMinSeeds || is_of_seeds) return paired;
     paired.interval = bootstrapMean(groups, options_.seed);
     paired.test = signedRank(groups.size() > 1 ? means : groups.front());
     return paired;

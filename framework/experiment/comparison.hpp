@@ -28,7 +28,8 @@ struct ComparisonOptions {
 struct PairedDifference {
   std::size_t pairs = 0;
   double mean = 0;
-  /// None if a sequence has fewer than kMinSeeds seeds with different results.
+  /// None if a sequence has fewer than kMinSeeds seeds with different results, or pairs of fewer
+  /// seeds, or if there are pairs of only one of several sequences.
   std::optional<Interval> interval;
   std::optional<SignedRank> test;  ///< over the means of the sequences; for one sequence over seeds
 };

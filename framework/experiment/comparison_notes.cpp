@@ -17,7 +17,7 @@ namespace {
 /// Whether runs that differ in this factor alone have different results.
 bool hasEffect(const std::vector<RunRow>& rows, const std::string& factor) {
   std::map<std::string, std::set<std::string>> results;
-  for (const RunRow& row : rows) results[row.labelsWithout(factor)].insert(row.results);
+  for (const RunRow& row : rows) results[row.labelsWithout({factor})].insert(row.results);
   return std::ranges::any_of(results, [](const auto& of) { return of.second.size() > 1; });
 }
 
@@ -49,6 +49,13 @@ std::string fewSamplesNote(std::size_t sequences, std::size_t seeds) {
       sequences > 1 ? fmt::format("{} sequences", sequences)
                     : fmt::format("one sequence and {} seeds", seeds),
       least);
+}
+
+std::string unevenRunsNote(const std::vector<std::string>& levels) {
+  return fmt::format(
+      "In {} sequences or seeds have different numbers of runs. Mean, median and sd weigh all runs "
+      "equally, intervals and differences all sequences: the mean need not lie in its interval.",
+      config::listed(levels));
 }
 
 std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {

@@ -18,6 +18,9 @@ std::vector<std::string> factorsWithoutEffect(const std::vector<RunRow>& rows);
 /// sequence: the smallest possible p is 2 / 2^n. Empty if that is below 0.05.
 std::string fewSamplesNote(std::size_t sequences, std::size_t seeds);
 
+/// A note on levels whose mean and interval weigh the runs differently.
+std::string unevenRunsNote(const std::vector<std::string>& levels);
+
 /// Notes on runs that lost tracking, and on runs that cover different shares of their truth.
 std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows);
 

@@ -91,10 +91,11 @@ std::string csvOf(const Comparison& comparison) {
   for (const Level& level : comparison.levels) {
     const Summary& s = level.summary;
     text += csvField(level.label) + fmt::format(",{}", s.n) + exact(s.mean) +
-            range(level.interval) + exact(s.median) + exact(s.deviation) + exact(s.low) +
-            exact(s.high);
+            range(level.interval) + exact(s.median) + (s.n > 1 ? exact(s.deviation) : ",") +
+            exact(s.low) + exact(s.high);
     const auto& d = level.difference;
-    text += d ? fmt::format(",{}", d->pairs) + exact(d->mean) + range(d->interval) : ",,,,";
+    text += d ? fmt::format(",{}", d->pairs) : ",";
+    text += d && d->pairs > 0 ? exact(d->mean) + range(d->interval) : ",,,";
     text += d && d->test ? exact(d->test->p) + exact(d->test->effect) : ",,";
     text += "\n";
   }

@@ -99,7 +99,7 @@ Status refuseCopies(const RunPointers& runs) {
   std::map<std::string, std::map<std::string, std::string>> results;  // of a sequence, by the rest
   for (const RunRow* run : runs) {
     if (run->results.empty()) continue;
-    results[run->label("sequence")][run->labelsWithout("sequence")] = run->results;
+    results[run->label("sequence")][run->labelsWithout({"sequence"})] = run->results;
   }
   std::map<std::map<std::string, std::string>, std::string> first;
   for (const auto& [sequence, own] : results) {

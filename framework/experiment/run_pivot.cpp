@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <optional>
 
 #include "config/nearest_name.hpp"
+#include "experiment/comparison_notes.hpp"
+#include "experiment/level_names.hpp"
 #include "experiment/mixtures.hpp"
 #include "experiment/repeated_rows.hpp"
 
@@ -85,18 +88,22 @@ bool isAveraged(const std::string& factor, const PivotOptions& options) {
   return factor == "seed" || std::ranges::find(options.over, factor) != options.over.end();
 }
 
+/// Ok if the runs of a cell differ only in factors over which it is a mean, and may be averaged.
 Status oneKind(const Runs& runs, const PivotOptions& options) {
   if (Status status = refuseMixtures(runs, options.mixed_coverage); !status.isOk()) return status;
+  const RunRow& first = *runs.front();
   for (const RunRow* run : runs) {
-    for (const Factor& factor : run->factors) {
-      if (isAveraged(factor.name, options) || runs.front()->label(factor.name) == factor.label)
-        continue;
-      return Status::invalidInput("'" + runs.front()->name + "' and '" + run->name +
-                                  "' would be one cell; name '" + factor.name +
-                                  "' with --by, --only or --over");
+    for (const RunRow* with : {run, &first}) {  // either may have factors that the other lacks
+      for (const Factor& factor : with->factors) {
+        if (isAveraged(factor.name, options)) continue;
+        if (run->label(factor.name) == first.label(factor.name)) continue;
+        return Status::invalidInput("'" + first.name + "' and '" + run->name +
+                                    "' would be one cell; name '" + factor.name +
+                                    "' with --by, --only or --over");
+      }
     }
   }
-  return Status::ok();
+  return isAveraged("sequence", options) ? refuseCopies(runs) : Status::ok();
 }
 
 /// Levels in the order of their first occurrence.
@@ -114,11 +121,14 @@ class Pivot {
 
   Result<TextTable> table() {
     Status status = chooseFactors();
+    LevelNames names;
     for (const RunRow* run : runs_) {
+      if (status.isOk()) status = names.add(*run, by_);
       columns_.add(run->label(options_.columns));
       levels_.add(levelOf(*run));
       cells_[{levelOf(*run), run->label(options_.columns)}].push_back(run);
     }
+    noteUnevenCells();
     if (!options_.values.empty()) return valueTable(status);
     table_.heading = {heading()};
     table_.heading.insert(table_.heading.end(), columns_.labels.begin(), columns_.labels.end());
@@ -147,6 +157,19 @@ class Pivot {
     }
     if (!status.isOk()) return status;
     return std::move(table_);
+  }
+
+  /// Where runs failed, cells are means of fewer runs than others, possibly of other sequences.
+  void noteUnevenCells() {
+    std::size_t least = SIZE_MAX;
+    std::size_t most = 0;
+    for (const auto& [place, runs] : cells_) {
+      least = std::min(least, runs.size());
+      most = std::max(most, runs.size());
+    }
+    if (least >= most) return;
+    table_.notes.push_back(
+        fmt::format("Cells are means of different numbers of runs, {} to {}.", least, most));
   }
 
   std::string heading() const {
@@ -194,11 +217,7 @@ class Pivot {
     return Status::ok();
   }
 
-  std::string levelOf(const RunRow& run) const {
-    std::string level;
-    for (const std::string& factor : by_) level += (level.empty() ? "" : ", ") + run.label(factor);
-    return level;
-  }
+  std::string levelOf(const RunRow& run) const { return LevelNames::nameOf(run, by_); }
 
   using Cells = std::map<std::pair<std::string, std::string>, Runs>;  ///< by row and column
 
@@ -221,6 +240,10 @@ class Pivot {
     row.emplace_back();
     if (runs == cells_.end()) return Status::ok();
     if (Status status = oneKind(runs->second, options_); !status.isOk()) return status;
+    for (const CellPart& part : parts.value()) {
+      Status status = refuseMixedLengths(runs->second, part.metric);
+      if (!status.isOk()) return status;
+    }
     row.back() = filled(parts.value(), runs->second);
     return Status::ok();
   }
@@ -244,7 +267,10 @@ Result<TextTable> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& o
   const Result<std::string> repeated = mergeRepeats(wanted);
   if (!repeated.isOk()) return repeated.status();
   Result<TextTable> table = Pivot(wanted, options).table();
-  if (table.isOk() && !repeated.value().empty()) table.value().notes = {repeated.value()};
+  if (!table.isOk()) return table;
+  std::vector<std::string>& notes = table.value().notes;
+  std::ranges::move(trackingNotes(wanted), std::back_inserter(notes));
+  if (!repeated.value().empty()) notes.push_back(repeated.value());
   return table;
 }
 

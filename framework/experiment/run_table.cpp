@@ -222,11 +222,14 @@ std::string RunRow::label(const std::string& factor) const {
   return found == factors.end() ? "" : found->label;
 }
 
-std::string RunRow::labelsWithout(const std::string& factor) const {
-  std::string labels;
+std::string RunRow::labelsWithout(const std::vector<std::string>& left_out) const {
+  std::set<std::string> lines;  // tables may have their factors in different orders
   for (const Factor& own : factors) {
-    if (own.name != factor) labels += own.name + "=" + own.label + "\n";
+    if (std::ranges::find(left_out, own.name) == left_out.end())
+      lines.insert(own.name + "=" + own.label + "\n");
   }
+  std::string labels;
+  for (const std::string& line : lines) labels += line;
   return labels;
 }
 

@@ -26,8 +26,9 @@ struct RunRow {
 
   /// The label of a factor; empty if the run has no such factor.
   std::string label(const std::string& factor) const;
-  /// All labels but that one: equal in runs that differ in no other factor.
-  std::string labelsWithout(const std::string& factor) const;
+  /// All labels but those of these factors, as one text: equal in runs that differ in no other
+  /// factor, whatever the order of their factors.
+  std::string labelsWithout(const std::vector<std::string>& left_out) const;
 };
 
 /// Reads runs: of a sweep all runs of the last plan that are done, without front ends; of a run

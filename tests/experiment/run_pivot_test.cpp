@@ -19,7 +19,7 @@ RunRow modelRow(const std::string& model, const std::string& sequence, int seed,
   row.metrics = {{"map.ate.rmse_m", error}, {"loops.true_links", 10 * error}};
   row.alignment = "se2";
   row.truth = "t" + sequence;
-  row.results = "r" + std::to_string(seed);
+  row.results = "r" + sequence + "/" + std::to_string(seed) + model.front();
   return row;
 }
 
