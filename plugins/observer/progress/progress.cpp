@@ -95,7 +95,9 @@ void Progress::count(const Snapshot& snapshot) {
   ++state_.frames;
   if (snapshot.frame != nullptr) {  // some frames may have been left out
     if (first_frame_ < 0) first_frame_ = snapshot.frame->frame;  // not 0 in later sessions
-    state_.frames = std::max(state_.frames, snapshot.frame->frame - first_frame_ + 1);
+    const std::int64_t before = state_.frames;
+    state_.frames = std::max(before, snapshot.frame->frame - first_frame_ + 1);
+    state_.left_out += state_.frames - before;
   }
   if (snapshot.place != nullptr) {
     state_.templates = std::max(state_.templates, snapshot.place->template_id + 1);

@@ -29,21 +29,25 @@ std::string duration(double seconds) {
   return text;
 }
 
-double framesPerSecond(const ProgressState& s) {
-  return s.seconds > 0 ? static_cast<double>(s.frames) / s.seconds : 0;
+double perSecond(std::int64_t frames, const ProgressState& s) {
+  return s.seconds > 0 ? static_cast<double>(frames) / s.seconds : 0;
 }
+
+std::int64_t processed(const ProgressState& s) { return s.frames - s.left_out; }
 
 std::string speed(const ProgressState& s) {
   char text[48];
-  const double fps = framesPerSecond(s);
+  const double fps = perSecond(processed(s), s);
   std::snprintf(text, sizeof text, fps < 100 ? "%.1f frames/s" : "%.0f frames/s", fps);
   return text;
 }
 
-bool hasTimeLeft(const ProgressState& s) { return s.total >= s.frames && framesPerSecond(s) > 0; }
+bool hasTimeLeft(const ProgressState& s) {
+  return s.total >= s.frames && perSecond(s.frames, s) > 0;
+}
 
 std::string timeLeft(const ProgressState& s) {
-  return duration(static_cast<double>(s.total - s.frames) / framesPerSecond(s)) + " left";
+  return duration(static_cast<double>(s.total - s.frames) / perSecond(s.frames, s)) + " left";
 }
 
 std::int64_t percent(const ProgressState& s) {
@@ -114,8 +118,12 @@ std::string plainLine(const ProgressState& state) {
 }
 
 std::string summaryLine(const ProgressState& state) {
-  return count(state.frames, "frame") + " in " + duration(state.seconds) + ", " + speed(state) +
-         ", " + counts(state) + count(state.loop_links, "loop link");
+  const std::string frames = count(processed(state), "frame");
+  const std::string all = state.left_out == 0 ? frames
+                                              : frames + " processed and " +
+                                                    std::to_string(state.left_out) + " left out";
+  return all + " in " + duration(state.seconds) + ", " + speed(state) + ", " + counts(state) +
+         count(state.loop_links, "loop link");
 }
 
 }  // namespace tolman::progress

@@ -150,7 +150,8 @@ TEST_CASE("the summary counts the final map, and frames that were left out") {
   graph.links.resize(9);
   graph.links[3].kind = LinkKind::Loop;
   CHECK(run.finish(graph) ==
-        "40 frames in 4.0 s, 10.0 frames/s, 12 templates, 8 experiences, 1 loop link\n");
+        "2 frames processed and 38 left out in 4.0 s, 0.5 frames/s, 12 templates, 8 experiences, "
+        "1 loop link\n");
 }
 
 TEST_CASE("a later session counts its own frames") {

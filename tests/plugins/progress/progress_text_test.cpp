@@ -70,6 +70,13 @@ TEST_CASE("lines for a log") {
         "215 frames in 21.5 s, 10.0 frames/s, 31 templates, 20 experiences, 1 loop link");
   CHECK(summaryLine({.frames = 1, .total = 1, .seconds = 0}) ==
         "1 frame in 0.0 s, 0.0 frames/s, 0 templates, 0 experiences, 0 loop links");
+  CHECK(summaryLine({.frames = 51, .left_out = 43, .total = 51, .seconds = 0.3}) ==
+        "8 frames processed and 43 left out in 0.3 s, 26.7 frames/s, 0 templates, 0 experiences, "
+        "0 loop links");
+  // The time left is that of the source's frames, the speed that of the processed ones.
+  CHECK(plainLine({.frames = 50, .left_out = 40, .total = 100, .seconds = 5}) ==
+        "frame 50 of 100 (50 %), 2.0 frames/s, 5.0 s left, 0 templates, 0 experiences, 0 loop "
+        "decisions");
   CHECK(summaryLine({.frames = 90000, .seconds = 125}) ==
         "90000 frames in 2:05 min, 720 frames/s, 0 templates, 0 experiences, 0 loop links");
 }
