@@ -64,7 +64,16 @@ OPENING = {
     "syntax": ("class Mine(:\n", "SyntaxError"),
     "indentation": (program() + "\n   x = 1\n", "IndentationError"),
     "not UTF-8": (b"x = '\xff'\n" + program().encode(), "SyntaxError"),
-    "a null byte": (program().encode() + b"\0", "null bytes"),
+    "a zero byte": (b"x = 1\n\0" + program().encode(), "has a zero byte in line 2, so it is damaged or no text; restore it"),
+    "UTF-16": (program().encode("utf-16"), "is UTF-16; save it as UTF-8"),
+    "UTF-16 without a mark": (program().encode("utf-16-le"), "is UTF-16; save it as UTF-8"),
+    "UTF-16, the higher byte first": (program().encode("utf-16-be"), "is UTF-16; save it as UTF-8"),
+    "UTF-32": (program().encode("utf-32"), "is UTF-32; save it as UTF-8"),
+    "import of a file in UTF-16": (
+        program(imports="""
+            import pathlib
+            pathlib.Path(__file__).with_name("wide.py").write_bytes("x = 1".encode("utf-16"))
+            import wide"""), "ValueError: a file that is imported here is UTF-16 or damaged; save it as UTF-8 (mine.py:4"),
     "empty": ("", "this one has none"),
     "no class of a role": ("import tolman\nclass Mine:\n    pass\n", "this one has none"),
     "two classes": (program() + program().replace("Mine", "Other"), "Mine, Other"),

@@ -19,6 +19,7 @@ _SHOWN_FRAMES = 8
 def open_program(file):
     """Imports a file. Gives its class, its role, version, summary and schema."""
     path = pathlib.Path(file)
+    _require_text(path.read_bytes())
     sys.path.insert(0, str(path.parent))
     sys.argv = [file]
     spec = importlib.util.spec_from_file_location(_MODULE, path)
@@ -31,6 +32,18 @@ def open_program(file):
         raise TypeError(f"class {cls.__name__} has no docstring; its first line is the summary of the plugin")
     return {"class": cls, "role": role, "version": str(cls.version), "summary": summary,
             "schema": parameters.schema(cls), "arrays": _has(cls, "arrays"), "describe": _has(cls, "describe"), "files": _files(path)}
+
+
+def _require_text(source):
+    """Of zero bytes Python says neither file nor encoding. Editors and PowerShell save UTF-16."""
+    start = source[:4]
+    if start in (b"\xff\xfe\0\0", b"\0\0\xfe\xff") or (len(start) == 4 and start.count(b"\0") == 3):
+        raise plugins.InvalidInput("is UTF-32; save it as UTF-8")
+    if start[:2] in (b"\xff\xfe", b"\xfe\xff") or (len(start) == 4 and start[::2] == b"\0\0") or start[1::2] == b"\0\0":
+        raise plugins.InvalidInput("is UTF-16; save it as UTF-8")
+    if b"\0" in source:
+        line = source[:source.index(b"\0")].count(b"\n") + 1
+        raise plugins.InvalidInput(f"has a zero byte in line {line}, so it is damaged or no text; restore it")
 
 
 def _files(program):
@@ -112,6 +125,8 @@ def described(error, call):
         place = f" ({pathlib.Path(frames[-1].filename).name}:{frames[-1].lineno}, in {frames[-1].name})" if frames else ""
     text = str(error) or "no message"
     kind = type(error).__name__
+    if isinstance(error, ValueError) and "cannot contain null bytes" in text:  # open_program() has looked at the program itself
+        text = "a file that is imported here is UTF-16 or damaged; save it as UTF-8"
     if isinstance(error, MemoryError):
         text = "out of memory (std::bad_alloc)"
     own_error = kind in ("InvalidInput", "InvalidParameter", "Unsupported", "Damaged")
