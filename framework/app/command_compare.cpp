@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/output_files.hpp"
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "config/named_value.hpp"
 #include "experiment/comparison_figure.hpp"
@@ -151,6 +152,10 @@ void compare(CompareCommand& command, const Invocation& invocation) {
   refuseInputs(command);
   refuseExisting({command.figures.begin(), command.figures.end()}, command.replace, "--figure");
   if (!command.out.empty()) refuseExisting({command.out}, command.replace, "--out");
+  for (const std::string& run : command.runs) {
+    requireKind(run, {PathKind::Run, PathKind::Sweep, PathKind::Table, PathKind::Folder},
+                "a run directory, the folder of a sweep, or a table", ExitCode::Dataset);
+  }
   if (command.format.empty()) command.format = invocation.json ? "json" : "markdown";
   for (const std::string& only : command.only) {
     command.options.only.push_back(pairOf(only, "--only FACTOR=LABEL"));

@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/source_overrides.hpp"
 #include "app/terminal_output.hpp"
@@ -161,6 +162,7 @@ void requirePath(const host::LoadedPlugin& plugin, const DatasetOptions& options
 }
 
 ExitCode check(const DatasetOptions& options, const Invocation& invocation) {
+  requireRecording(options.path, options.source);
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   const auto plugin = run::loadFrom(catalogue, options.source, Role::Source);
   requirePath(plugin, options);

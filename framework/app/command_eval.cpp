@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/named_value.hpp"
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/summary.hpp"
 #include "app/terminal_output.hpp"
@@ -68,6 +69,9 @@ void refuseUnmatched(const EvalOptions& options, const evaluation::Trajectory& t
 }
 
 void evaluate(const EvalOptions& options, const Invocation& invocation) {
+  for (const std::string& file : {options.truth, options.estimate}) {
+    requireKind(file, {PathKind::Trajectory}, "a trajectory", ExitCode::Dataset);
+  }
   const auto truth = valueOrEnd(evaluation::readTrajectory(options.truth), ExitCode::Dataset);
   const auto estimate = valueOrEnd(evaluation::readTrajectory(options.estimate), ExitCode::Dataset);
   if (options.max_difference >= 0) {

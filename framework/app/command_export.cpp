@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/output_files.hpp"
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "isolation/child_process.hpp"
 #include "record/export.hpp"
@@ -54,7 +55,7 @@ void refuseOther(const ExportCommand& command) {
                 "--session would replace the files of the run's own session; leave out --out, or "
                 "give another folder"};
   }
-  refuseExisting(files, command.replace, "--out");
+  refuseReplacing(files, command.replace, "--out");
 }
 
 /// Returns the written files.
@@ -73,6 +74,11 @@ std::vector<std::filesystem::path> exportFiles(const record::RunReader& reader,
 std::string causeOf(const isolation::ProcessEnd& end, const std::string& needs) {
   if (end.signal != 0) {
     return "limits of memory and of files (`ulimit -a`) may be too low, or a package is damaged";
+  }
+  constexpr rlim_t kFewFiles = 32;  // Python with NumPy and SQLite has fewer than 16 open at once
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur < kFewFiles) {
+    return "its open files are limited (`ulimit -n`), or it lacks " + needs;
   }
   rlimit memory{};
   const bool limited = ::getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY;
@@ -156,6 +162,7 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
           ExitCode::Usage,
           "--nwb and --npz write the run's own session; leave out --session, or export twice"};
     }
+    requireRun(asked->run);
     refuseOther(*asked);
     const auto reader = valueOrEnd(record::RunReader::open(asked->run));
     std::vector<std::filesystem::path> written = exportFiles(*reader, *asked);

@@ -14,13 +14,17 @@
 #include "app/init_text.hpp"
 #include "app/named_value.hpp"
 #include "app/output_files.hpp"
+#include "app/path_kind.hpp"
 #include "app/system_options.hpp"
 #include "record/atomic_file.hpp"
+#include "record/output_places.hpp"
 
 namespace tolman::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kRecording = "a recording";
 
 struct InitOptions {
   std::string recording;
@@ -45,9 +49,27 @@ SourceValues splitValues(const std::vector<std::string>& texts) {
 }
 
 std::string unreadText(const std::string& recording, const RecordingSearch& search) {
+  const PathKind kind = kindOf(recording);
+  const bool is_recording = kind == PathKind::Recording || kind == PathKind::ImageFolder ||
+                            kind == PathKind::Bag || kind == PathKind::Image;
+  const bool is_other = !is_recording && kind != PathKind::Missing && kind != PathKind::Unknown &&
+                        kind != PathKind::Folder;
+  if (is_other) return wrongKindText(recording, kind, kRecording);
   std::string text = recording + ": no source reads it";
   for (const std::string& reason : search.reasons) text += "\n  " + reason;
   return text + "\nParameters are given by --set NAME=VALUE; see docs/your-camera.md";
+}
+
+/// Refuses runs and sweeps, whose figures are images that a source would read.
+void refuseRuns(const fs::path& recording, const std::string& given) {
+  const PathKind kind = kindOf(recording);
+  if (kind == PathKind::Run || kind == PathKind::Sweep || kind == PathKind::Point) {
+    throw Ended{ExitCode::Dataset, wrongKindText(given, kind, kRecording)};
+  }
+  const std::optional<fs::path> run = record::runAround(recording);
+  if (!run || record::refuseRunPlaces(recording, "", *run).isOk()) return;
+  throw Ended{ExitCode::Dataset, given + ": belongs to the run " + run->string() +
+                                     ", and is not a recording; name the folder or file of one"};
 }
 
 /// Whether a file lies in a file system that the kernel makes up, such as /proc or /sys.
@@ -81,6 +103,7 @@ ExitCode init(const InitOptions& options, const Invocation& invocation) {
                             ": lies in a file system of the kernel (such as /proc or /sys), which "
                             "holds no recording; name the folder or file of a recording");
   }
+  refuseRuns(recording, options.recording);
   if (!options.out.empty()) refuseExisting({options.out}, options.replace, "--out");
   const RecordingSearch search =
       searchRecording(recording, splitValues(options.values), invocation);

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
 #include "record/graph_parts.hpp"
@@ -108,6 +109,7 @@ struct RoutePlan {
   bool scale_known = true;  ///< false (a single camera): lengths are in arbitrary units
   planning::PlannedRoute route;
 
+  const char* unit() const { return scale_known ? "m" : "units"; }
   /// Null if no link has a duration.
   nlohmann::ordered_json secondsOf(const planning::Leg& leg) const {
     return route.times_known ? nlohmann::ordered_json(leg.seconds) : nullptr;
@@ -134,13 +136,18 @@ nlohmann::ordered_json toJson(const RoutePlan& plan, const MapGraph& graph) {
                     {"seconds", plan.secondsOf(leg)},
                     {"metres", leg.metres}});
   }
-  return {{"from", toJson(plan.from)},       {"to", toJson(plan.to)},
-          {"scale_known", plan.scale_known}, {"seconds", plan.secondsOf(plan.route.legs.back())},
-          {"metres", plan.route.metres()},   {"legs", legs}};
+  // Keys such as "metres" stay what readers know; "unit" is that of all lengths.
+  return {{"from", toJson(plan.from)},
+          {"to", toJson(plan.to)},
+          {"scale_known", plan.scale_known},
+          {"unit", plan.unit()},
+          {"seconds", plan.secondsOf(plan.route.legs.back())},
+          {"metres", plan.route.metres()},
+          {"legs", legs}};
 }
 
 void print(const RoutePlan& plan, const MapGraph& graph) {
-  const char* unit = plan.scale_known ? "m" : "units";
+  const char* unit = plan.unit();
   std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right",
                            "forward", "up", "time s", "path");
   for (const planning::Leg& leg : plan.route.legs) {
@@ -175,7 +182,7 @@ void warnOfFarPlaces(const RoutePlan& plan, const MapGraph& graph) {
   for (const Experience& e : firstPart(graph).experiences) box.extend(planning::placeOf(e));
   const double extent = box.isEmpty() ? 0 : box.diagonal().norm();
   constexpr double kBeside = 100;  // m
-  const char* unit = plan.scale_known ? "m" : "units";
+  const char* unit = plan.unit();
   for (const End& end : {plan.from, plan.to}) {
     if (!end.away_m || *end.away_m <= extent + kBeside) continue;
     std::cerr << fmt::format(
@@ -186,6 +193,7 @@ void warnOfFarPlaces(const RoutePlan& plan, const MapGraph& graph) {
 }
 
 void run(const RouteOptions& options, const Invocation& invocation) {
+  requireRun(options.run);
   const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
   const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
   RoutePlan plan{endOf(options.from, *reader, graph),

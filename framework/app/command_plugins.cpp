@@ -15,6 +15,7 @@
 
 #include "app/json_schema.hpp"
 #include "app/parameter_text.hpp"
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
 #include "host/gate.hpp"
@@ -119,6 +120,11 @@ void describe(const Description& asked, Invocation& invocation) {
     std::cout << jsonText(fileSchema(openUsable(invocation)));
     return;
   }
+  std::error_code ignored;
+  for (const std::string& id : asked.ids) {  // a folder may have the name of a plugin
+    if (!std::filesystem::is_regular_file(id, ignored)) continue;
+    requireKind(id, {PathKind::PluginLibrary}, "a plugin", ExitCode::Plugin);
+  }
   const auto loaded = openAll(asked.ids, invocation);
   if (asked.json_schema) {
     std::cout << jsonText(stageSchema(loaded));
@@ -167,6 +173,7 @@ std::vector<Manifest> manifestsOf(const std::string& file, const Invocation& inv
 }
 
 void doctor(const std::string& file, Invocation& invocation) {
+  requireKind(file, {PathKind::PluginLibrary}, kPluginFile, ExitCode::Plugin);
   for (const Manifest& manifest : manifestsOf(file, invocation)) {
     const auto refusal = examine(manifest);
     if (refusal) invocation.exit_code = printFailure({run::kindOf(*refusal), refusal->text()});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <iostream>
 #include <memory>
@@ -12,6 +13,8 @@
 #include "app/plugin_template.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
+#include "host/catalogue.hpp"
+#include "run/checked_system.hpp"
 
 namespace tolman::app {
 namespace {
@@ -59,9 +62,24 @@ std::string roleChoices() {
   return choices;
 }
 
+/// Refuses the id of a plugin that is on the search path. Two with one id cannot be told apart: the
+/// first is taken, and in another role its id is refused. A program has the name of its file.
+void refuseTaken(const std::string& name, const Invocation& invocation) {
+  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const auto& known = catalogue.manifests();
+  const auto taken = std::ranges::find(known, name, &host::Manifest::id);
+  if (taken == known.end()) return;
+  throw Ended{
+      ExitCode::Usage,
+      fmt::format("'{0}' is the id of a plugin that is installed ({1}, {2}); choose another, "
+                  "such as my_{0}",
+                  name, enumName(taken->role), taken->file.string())};
+}
+
 void makePlugin(const Request& request, const Invocation& invocation) {
   const Role role = valueOrEnd(roleNamed(request.role), ExitCode::Usage);
   if (const auto objection = objectionTo(request.name)) throw Ended{ExitCode::Usage, *objection};
+  if (!request.python) refuseTaken(request.name, invocation);
   std::error_code ignored;
   const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path templates = valueOrEnd(templateFolder(executable), ExitCode::Record);

@@ -12,6 +12,7 @@
 
 #include "app/duration_text.hpp"
 #include "app/output_files.hpp"
+#include "app/path_kind.hpp"
 #include "app/progress_line.hpp"
 #include "app/source_overrides.hpp"
 #include "app/system_options.hpp"
@@ -251,6 +252,7 @@ void addImportCommand(CLI::App& dataset, Invocation& invocation) {
       ->allow_extra_args(false);
   addOutput(*command, *render);
   command->callback([import, render, &invocation] {
+    requireRecording(import->path, import->source);
     const record::FileDescriptor memory(::memfd_create("import.yaml", MFD_CLOEXEC));
     RenderRun run(invocation, *render);
     invocation.exit_code = run.execute(systemOf(*import, memory, invocation));

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/output_files.hpp"
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
@@ -47,7 +48,7 @@ void refuseOther(const std::string& run, const std::filesystem::path& folder, bo
   requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
   std::error_code ignored;
   if (std::filesystem::equivalent(run, folder, ignored)) return;
-  refuseExisting({folder / "report.html"}, replace, "--out");
+  refuseReplacing({folder / "report.html"}, replace, "--out");
   refuseFilled(folder / "figures", replace, "--out");
 }
 
@@ -68,6 +69,7 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
   addForce(*command, *replace, "Replace the report that the --out folder holds");
   const auto units = addUnitOptions(*command);
   command->callback([runs, out, replace, units, &invocation] {
+    for (const std::string& run : *runs) requireRun(run);
     const std::filesystem::path folder = out->empty() ? runs->front() : *out;
     if (!out->empty()) refuseOther(runs->front(), folder, *replace);
     std::vector<std::unique_ptr<record::RunReader>> readers;

@@ -11,6 +11,7 @@
 
 #include "app/exit_guard.hpp"
 #include "app/output_files.hpp"
+#include "app/path_kind.hpp"
 #include "app/run_changes.hpp"
 #include "app/summary.hpp"
 #include "app/terminal_output.hpp"
@@ -113,6 +114,7 @@ ExitCode show(const run::Outcome& outcome, const fs::path& before, const Invocat
 
 ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
   const run::Interrupts interrupts;
+  requireRun(command.run, {PathKind::Point});
   fs::path before = fs::absolute(command.run).lexically_normal();
   if (!before.has_filename()) before = before.parent_path();
   // The folder of a point of a sweep contains its run in the folder `run`.
@@ -124,6 +126,13 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
   if (fs::equivalent(before, out, ignored)) {
     throw Ended{ExitCode::Usage,
                 out.string() + ": is the run itself; give another folder with --out"};
+  }
+  if (!fs::exists(before / "config.resolved.yaml", ignored)) {
+    throw Ended{ExitCode::Configuration,
+                command.run + ": " +
+                    config::absence(before / "config.resolved.yaml",
+                                    "is no run directory, it holds no config.resolved.yaml; give "
+                                    "the folder that a run has written")};
   }
   if (command.verify) (void)expectedDigests(before);
   warnOfRunFile(before.string());

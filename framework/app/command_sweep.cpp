@@ -10,6 +10,7 @@
 
 #include "app/duration_text.hpp"
 #include "app/output_files.hpp"
+#include "app/path_kind.hpp"
 #include "app/sweep_display.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
@@ -214,13 +215,15 @@ std::vector<fs::path> filesBeside(const std::string& write, const fs::path& out)
 
 ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (command.file.empty()) throw CLI::RequiredError("a sweep file");
+  requireKind(configFile(command.file), {PathKind::SweepFile}, "the file of a sweep",
+              ExitCode::Configuration);
   if (command.jobs == 0) command.jobs = std::max(1U, std::thread::hardware_concurrency());
   const fs::path out =
       fs::absolute(command.out.empty() ? fs::path("sweeps") / fs::path(command.file).stem()
                                        : fs::path(command.out))
           .lexically_normal();
   refuseRun(out);
-  requireOrEnd(record::refuseRunFolders(out, "--out"));
+  requireOrEnd(record::refuseRunPlaces(out, "--out"));
   requireOrEnd(record::refuseFolders(filesBeside(command.write, out), "--out"));
   const experiment::FrozenRuns frozen = experiment::frozenRuns(out);
   if (frozen.planned.empty() && frozen.earlier.empty()) {
@@ -254,6 +257,11 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
   return ExitCode::Ok;
 }
 
+void requireSweep(const std::string& folder, ExitCode code, std::vector<PathKind> accepted = {}) {
+  accepted.insert(accepted.end(), {PathKind::Sweep, PathKind::Folder});
+  requireKind(folder, accepted, "the folder of a sweep", code);
+}
+
 void addPoint(CLI::App& sweep, Invocation& invocation) {
   CLI::App* command = sweep.add_subcommand("point", "Run one frozen run of a sweep");
   auto folder = std::make_shared<std::string>();
@@ -263,6 +271,8 @@ void addPoint(CLI::App& sweep, Invocation& invocation) {
   command->add_option("--threads", options->threads, "Threads, where the configuration has 0")
       ->check(CLI::Range(1, 1024));
   command->callback([folder, options, &invocation] {
+    requireKind(*folder, {PathKind::Point, PathKind::Folder}, "the folder of one run of a sweep",
+                ExitCode::Configuration);
     const run::Interrupts interrupts;
     options->plugin_paths = invocation.plugin_paths;
     options->command_line = invocation.command_line;
@@ -288,6 +298,7 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
   auto folder = std::make_shared<std::string>();
   command->add_option("sweep", *folder, "Folder of the sweep")->type_name("FOLDER")->required();
   command->callback([folder, &invocation] {
+    requireSweep(*folder, ExitCode::Usage);
     const experiment::FrozenRuns runs = experiment::frozenRuns(*folder);
     if (runs.empty()) {
       throw Ended{ExitCode::Usage,
@@ -358,6 +369,7 @@ void addCollect(CLI::App& sweep, Invocation& invocation) {
   addForce(*command, *replace, "Replace the file of --out");
   command->callback([folder, out, metrics, replace, &invocation] {
     if (!out->empty()) refuseExisting({*out}, *replace, "--out");
+    requireSweep(*folder, ExitCode::Dataset, {PathKind::Run, PathKind::Table});
     const auto rows = valueOrEnd(experiment::readRunRows({*folder}));
     warnOfUnfinished(*folder);
     if (rows.empty()) throw Ended{ExitCode::Dataset, *folder + ": no run is done"};
@@ -395,6 +407,11 @@ void addArchive(CLI::App& sweep, Invocation& invocation) {
     const fs::path file = fs::absolute(out->empty() ? from.string() + ".tar.gz" : *out);
     const fs::path name = from.filename();
     const auto is_archive = [&](const fs::path& found) { return isArchiveOf(found, name); };
+    requireSweep(*folder, ExitCode::Dataset);
+    if (experiment::frozenRuns(from).empty()) {
+      throw Ended{ExitCode::Dataset,
+                  *folder + ": " + config::absence(*folder, "holds no runs of a sweep")};
+    }
     refuseExisting({file}, *replace, "--out", is_archive);
     warnOfUnfinished(from);
     const host::ScratchFolder files("tolman-archive");

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/source_overrides.hpp"
 #include "app/terminal_output.hpp"
@@ -137,6 +138,7 @@ void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
   command->add_option("--memory", options->memory_mib, "MiB for each check; 0 for no limit")
       ->capture_default_str();
   command->callback([options, &invocation] {
+    requireKind(options->file, {PathKind::PluginLibrary}, kPluginFile, ExitCode::Plugin);
     refuseTwoValues(options->set);
     options->program = {std::filesystem::read_symlink("/proc/self/exe").string(), "plugins",
                         "run-check"};

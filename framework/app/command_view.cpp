@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/progress_line.hpp"
 #include "run/replay_server.hpp"
@@ -94,6 +95,7 @@ void addViewCommand(CLI::App& app, Invocation& invocation) {
   command->add_flag("--no-images", *no_images, "Do not read the images of the run's source again");
   command->add_flag("--no-browser-hint", *no_hint, "Print only the address");
   command->callback([options, no_hint, no_images, &invocation] {
+    requireRun(options->run);
     options->plugin_paths = invocation.plugin_paths;
     options->images = !*no_images;
     if (const auto reader = record::RunReader::open(options->run); reader.isOk()) {

@@ -2,6 +2,9 @@
 #include "app/output_files.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <iterator>
 
 #include "app/program.hpp"
 #include "record/atomic_file.hpp"
@@ -35,13 +38,19 @@ void addForce(CLI::App& command, bool& replace, const std::string& what) {
 void refuseExisting(const std::vector<fs::path>& files, bool replace, const std::string& option,
                     const std::function<bool(const fs::path&)>& is_own) {
   for (const fs::path& file : files) {
-    requireOrEnd(record::refuseRunFolders(file, option));
+    requireOrEnd(record::refuseRunPlaces(file, option));
   }
+  std::vector<fs::path> others;
+  std::ranges::copy_if(files, std::back_inserter(others), std::not_fn(is_own));
+  requireOrEnd(record::refuseFolders(files, option));
+  refuseReplacing(others, replace, option);
+}
+
+void refuseReplacing(const std::vector<fs::path>& files, bool replace, const std::string& option) {
   requireOrEnd(record::refuseFolders(files, option));
   if (replace) return;
   for (const fs::path& file : files) {
-    if (!isInTheWay(file) || is_own(file)) continue;
-    refuse(file, option);
+    if (isInTheWay(file)) refuse(file, option);
   }
 }
 

@@ -94,7 +94,7 @@ Status copyFilled(const fs::path& from, const fs::path& to,
 
 /// Whether `folder` may be filled: absent, or an empty folder.
 Status checkFree(const fs::path& folder) {
-  if (Status own = record::refuseRunFolders(folder, "folder"); !own.isOk()) return own;
+  if (Status own = record::refuseRunPlaces(folder, "folder"); !own.isOk()) return own;
   std::error_code error;
   if (!fs::exists(folder, error)) return Status::ok();
   if (fs::is_directory(folder, error) && fs::is_empty(folder, error) && !error) return Status::ok();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/source_overrides.hpp"
 #include "config/scalars.hpp"
@@ -66,6 +67,9 @@ class SystemOptionsReader {
     if (config_.empty() && resume_.empty()) {
       throw CLI::RequiredError("a configuration, or --resume,");
     }
+    for (const std::string& run : {continue_, resume_}) {
+      requireKind(run, {PathKind::Run, PathKind::Folder}, "a run directory", ExitCode::Session);
+    }
     if (!resume_.empty()) {
       refuseOthers();
       requireRun();
@@ -73,6 +77,9 @@ class SystemOptionsReader {
     refuseTwoValues(overrides_);
     const std::string config =
         resume_.empty() ? configFile(config_) : resume_ + "/config.resolved.yaml";
+    if (resume_.empty()) {
+      requireKind(config, {PathKind::Configuration}, "a configuration", ExitCode::Configuration);
+    }
     run::SystemOptions options{config, overrides_, invocation.plugin_paths};
     options.quiet = invocation.quiet;
     addOption("seed", seed_, options.overrides);

@@ -148,7 +148,7 @@ std::string timesText(const std::vector<std::int64_t>& stamps_ns) {
 }
 
 Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
-  if (Status status = record::refuseRunFolders(folder, "--out"); !status.isOk()) return status;
+  if (Status status = record::refuseRunPlaces(folder, "--out"); !status.isOk()) return status;
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (!fs::is_directory(folder)) {

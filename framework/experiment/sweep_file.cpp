@@ -23,6 +23,8 @@ using config::Node;
 using NodePointer = std::shared_ptr<const Node>;
 
 constexpr std::size_t kMaxSamples = 100'000;
+/// Columns beside the factors in the table of csvOf() (run_table.hpp).
+constexpr std::array kTableColumns = {"name", "alignment", "truth_sha256", "results_sha256"};
 
 /// The label of a value: a scalar, the plugin of a stage, the values of a map, or a list in
 /// brackets.
@@ -137,6 +139,9 @@ class Reader {
   void readLists(const Node& lists) {
     for (const Node& list : lists.children) {
       Axis axis;
+      if (std::ranges::find(kTableColumns, list.key) != kTableColumns.end()) {
+        problem(list, list.key, "is a column of the table of `sweep collect`; rename the factor");
+      }
       if (!list.isMap()) problem(list, list.key, "expects a map from labels to settings");
       for (const Node& item : list.children) {
         if (!item.isMap()) problem(item, item.key, "expects a map of settings");
@@ -212,7 +217,9 @@ class Reader {
 
   /// {count: N, seed: S, keys: {key: {min: A, max: B, log: true, integer: true}}}
   void readSamples(const Node& samples, const std::string& kind) {
-    knownKeys(samples, kind, {"count", "seed", "keys"});
+    // The points of the Sobol sequence are always the same.
+    if (kind == "sobol") knownKeys(samples, kind, {"count", "keys"});
+    if (kind != "sobol") knownKeys(samples, kind, {"count", "seed", "keys"});
     const std::size_t count = whole(samples, "count", 0);
     const Node* keys = map(samples, "keys");
     if (count < 1 || count > kMaxSamples || keys == nullptr) {

@@ -64,18 +64,23 @@ std::optional<fs::path> runAround(const fs::path& path) {
   const fs::path inner = truePath(path);
   for (fs::path outer = inner.parent_path(); outer.has_relative_path();
        outer = outer.parent_path()) {
-    if (holdsRun(outer)) return outer;
+    if (holdsRecordedRun(outer)) return outer;
   }
   return std::nullopt;
 }
 
-Status refuseRunFolders(const fs::path& path, const std::string& option) {
+Status refuseRunPlaces(const fs::path& path, const std::string& option, const fs::path& own) {
   const std::optional<fs::path> run = runAround(path);
   if (!run) return Status::ok();
-  const fs::path first = *truePath(path).lexically_relative(*run).begin();
-  if (std::ranges::find(kRunFolders, first.string()) == kRunFolders.end()) return Status::ok();
-  return Status::failed(path.string() + ": lies in a folder of the run " + run->string() +
-                        ", which is the run's own; choose another " + option);
+  std::error_code ignored;
+  if (!own.empty() && fs::equivalent(own, *run, ignored)) {
+    const fs::path first = *truePath(path).lexically_relative(*run).begin();
+    if (std::ranges::find(kRunFolders, first.string()) == kRunFolders.end()) return Status::ok();
+    return Status::failed(path.string() + ": lies in " + (*run / first).string() +
+                          ", whose files belong to the run alone; choose another " + option);
+  }
+  return Status::failed(path.string() + ": lies in the directory of the run " + run->string() +
+                        ", whose files belong to that run alone; choose another " + option);
 }
 
 Status writeTogether(const std::vector<OutputFile>& files, const std::string& option) {

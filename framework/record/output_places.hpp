@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where commands may write: not through links into other folders, not into the folders of a run,
-// and several files only if each of them can be written.
+// Where commands may write: not through links into other folders, not into the directory of a run
+// (but for commands about that run), and several files only if each of them can be written.
 #pragma once
 
 #include <array>
@@ -32,8 +32,11 @@ Status refuseFolders(const std::vector<std::filesystem::path>& files, const std:
 /// The run directory in which the path lies, at any depth; empty if in none, or if it is one.
 std::optional<std::filesystem::path> runAround(const std::filesystem::path& path);
 
-/// Failed if the path lies in a folder of a run (kRunFolders), or is one.
-Status refuseRunFolders(const std::filesystem::path& path, const std::string& option);
+/// Failed if the path lies in the directory of a run, at any depth. `own`: the run that the command
+/// is about, empty if none; in its directory only kRunFolders are refused. `option`: what chose the
+/// path, for the remedy.
+Status refuseRunPlaces(const std::filesystem::path& path, const std::string& option,
+                       const std::filesystem::path& own = {});
 
 struct OutputFile {
   std::filesystem::path path;

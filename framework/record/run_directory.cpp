@@ -89,7 +89,7 @@ Status mayReplace(const fs::path& path, bool replace) {
 Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
   try {
     if (options.out) {
-      if (Status own = refuseRunFolders(*options.out, "--out"); !own.isOk()) return own;
+      if (Status own = refuseRunPlaces(*options.out, "--out"); !own.isOk()) return own;
       fs::create_directories(*options.out);
       const fs::path out = fs::canonical(*options.out);
       Result<RunDirectory> directory = lock(out, kOther);
@@ -99,6 +99,8 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
       if (!status.isOk()) return status;
       return directory;
     }
+    const fs::path named = options.root / folderName(options);
+    if (Status own = refuseRunPlaces(named, "--out"); !own.isOk()) return own;
     const fs::path path = fs::canonical(makeNamed(options));
     pointLatestAt(path);
     return lock(path, kOther);
@@ -149,12 +151,7 @@ Status RunDirectory::mayTakeFilesOf(const fs::path& run, const fs::path& folder)
   if (holds_run && !fs::equivalent(run, folder, ignored)) {
     return Status::failed(folder.string() + ": holds another run; " + kOther);
   }
-  const std::optional<fs::path> around = runAround(folder);
-  if (around && !fs::equivalent(run, *around, ignored)) {
-    return Status::failed(folder.string() + ": lies in another run, " + around->string() + "; " +
-                          kOther);
-  }
-  return refuseRunFolders(folder, "--out");
+  return refuseRunPlaces(folder, "--out", run);
 }
 
 Status RunDirectory::stillInPlace() const {
@@ -203,7 +200,7 @@ bool RunDirectory::hasEnded(const std::filesystem::path& path) {
 }
 
 Status RunDirectory::mayTake(const fs::path& path, bool replace) {
-  if (Status own = refuseRunFolders(path, "--out"); !own.isOk()) return own;
+  if (Status own = refuseRunPlaces(path, "--out"); !own.isOk()) return own;
   std::error_code error;
   if (!fs::exists(path, error)) return Status::ok();
   if (!fs::is_directory(path, error)) {

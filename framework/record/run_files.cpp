@@ -138,8 +138,12 @@ bool holdsOnlyEmptyLog(const fs::path& directory) {
 }  // namespace
 
 bool holdsRun(const fs::path& directory) {
+  return holdsOnlyEmptyLog(directory) || holdsRecordedRun(directory);
+}
+
+bool holdsRecordedRun(const fs::path& directory) {
   std::error_code ignored;
-  return fs::exists(directory / "run.sqlite", ignored) || holdsOnlyEmptyLog(directory) ||
+  return fs::exists(directory / "run.sqlite", ignored) ||
          RunDirectory::checkRunFile(directory).isOk() ||
          (fs::exists(directory / "run.json", ignored) &&
           fs::exists(directory / "config.resolved.yaml", ignored));

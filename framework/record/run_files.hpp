@@ -25,6 +25,10 @@ inline constexpr std::string_view kArtefactList = ".tolman-artefacts";
 /// a config.resolved.yaml, or nothing but an empty log.txt.
 bool holdsRun(const std::filesystem::path& directory);
 
+/// The same, without the state in which only an empty log was written: `> log.txt` makes it in any
+/// folder.
+bool holdsRecordedRun(const std::filesystem::path& directory);
+
 /// Removes what `export`, `report` or the end of a run computed from the record: trajectories, map,
 /// metrics, figures, run.npz, run.nwb and the exports of earlier sessions. Files that Tolman does
 /// not write are kept, and added to `kept` if they are in a folder of derived files. Failed if a

@@ -7,6 +7,7 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -15,16 +16,35 @@ namespace {
 
 const std::string kPrecious = "years of work\n";
 
+/// The words of a command with the fixture plugins on the search path.
+std::vector<std::string> withPlugins(std::vector<std::string> words) {
+  for (const char* folder : {"steady", "misbehaving"}) {
+    words.insert(words.end(), {"--plugin-path", inBuild("tests/fixtures/plugins/") + folder});
+  }
+  return words;
+}
+
+Finished tolmanWithPlugins(const std::vector<std::string>& words) {
+  return tolman::test::tolman(withPlugins(words));
+}
+
 /// A recorded run, and files of the user beside it.
 struct Desk {
   TemporaryFolder folder;
   fs::path run = folder.path() / "run";
+  fs::path config;
 
   explicit Desk(bool has_run = true) {
     if (!has_run) return;
     writeTinyKitti(folder.path() / "sequence", 6);
-    const fs::path config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+    config = writeTinyConfig(folder.path(), folder.path() / "sequence");
     REQUIRE(tolman::test::tolman(tinyRun(config, run)).exit_code == 0);
+  }
+  /// A sweep over the same configuration.
+  fs::path study() const {
+    const fs::path file = folder.path() / "study.yaml";
+    std::ofstream(file) << "base: tiny.yaml\nseeds: 2\n";
+    return file;
   }
   fs::path precious(const std::string& name) const {
     const fs::path file = folder.path() / name;
@@ -130,23 +150,69 @@ TEST_CASE("one file for two outputs is refused by whatever names") {
   }
 }
 
-TEST_CASE("nothing is written into the folders of another run") {
+TEST_CASE("no command writes into the directory of another run") {
   const Desk desk;
   const fs::path other = desk.folder.path() / "other";
   fs::copy(desk.run, other, fs::copy_options::recursive);
-  for (const char* command : {"export", "report"}) {
-    for (const char* below : {"figures", "state", "mine"}) {
-      const Finished refused = tolman::test::tolman(
-          {command, desk.run.string(), "--out", (other / below).string(), "--force"});
+  const std::string run = desk.run.string();
+  const std::string sequence = (desk.folder.path() / "sequence").string();
+  const std::string config = desk.config.string();
+  const std::string study = desk.study().string();
+  const std::string sweep = (desk.folder.path() / "sweep").string();
+  REQUIRE(tolmanWithPlugins({"sweep", study, "--out", sweep, "--jobs", "1"}).exit_code == 0);
+  // Every command that writes to a place of the user's choice; the place comes last.
+  const std::vector<std::vector<std::string>> commands = {
+      {"run", config, "--out"},
+      {"rerun", run, "--out"},
+      {"export", run, "--out"},
+      {"export", run, "--npz", "--out"},
+      {"report", run, "--out"},
+      {"compare", run, "--out"},
+      {"compare", run, "--figure"},
+      {"init", sequence, "--out"},
+      {"dataset", "render", config, "--out"},
+      {"dataset", "import", sequence, "--source", "kitti", "--out"},
+      {"sweep", study, "--out"},
+      {"sweep", study, "--write", "parallel", "--out"},
+      {"sweep", "collect", sweep, "--out"},
+      {"sweep", "archive", sweep, "--out"},
+      {"bench", "places", config, "--figure"},
+      {"plugins", "new", "place", "mine"},
+      {"plugins", "new", "--python", "place", "mine"},
+  };
+  for (const std::vector<std::string>& words : commands) {
+    const bool has_option = words.back().starts_with("--");
+    for (const char* below : {"mine.svg", "figures/mine.svg", "state/mine.svg", "new/mine.svg"}) {
+      const std::string place = (other / below).string();
+      INFO(words[0] + " " + words[1] + " " + place);
+      std::vector<std::string> asked = words;
+      asked.push_back(place);
+      if (has_option) asked.emplace_back("--force");
+      const Finished refused = tolmanWithPlugins(asked);
       CHECK(refused.exit_code == 8);
-      CHECK(contains(refused.err, "lies in another run, "));
+      CHECK(contains(refused.err, place + ": lies in the directory of the run " + other.string() +
+                                      ", whose files belong to that run alone; choose another " +
+                                      (has_option ? words.back() : "folder") + "\n"));
+      CHECK_FALSE(fs::exists(place));
     }
-    CHECK_FALSE(fs::exists(other / "mine"));
   }
-  const Finished table = tolman::test::tolman(
-      {"compare", desk.run.string(), "--out", (other / "state/table.md").string()});
-  CHECK(table.exit_code == 8);
-  CHECK(contains(table.err, "lies in a folder of the run"));
+  CHECK_FALSE(fs::exists(other / "new"));
+}
+
+TEST_CASE("without --out a run and a sweep do not begin inside of a run") {
+  const Desk desk;
+  const std::vector<std::vector<std::string>> commands = {{"run", desk.config.string()},
+                                                          {"sweep", desk.study().string()}};
+  for (const std::vector<std::string>& words : commands) {
+    std::vector<std::string> command = {"/usr/bin/env", "-C", desk.run.string(),
+                                        tolmanProgram().string()};
+    command.insert(command.end(), words.begin(), words.end());
+    const Finished refused = tolman::test::run(withPlugins(command));
+    INFO(refused.err);
+    CHECK(refused.exit_code == 8);
+    CHECK(contains(refused.err, "lies in the directory of the run"));
+    CHECK_FALSE(fs::exists(desk.run / (words[0] + "s")));
+  }
 }
 
 TEST_CASE("no file is replaced if another one of the same command cannot be") {

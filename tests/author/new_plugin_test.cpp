@@ -130,6 +130,20 @@ TEST_CASE("wrong roles and names are refused with what would be right") {
   CHECK(contains(name.err, "try 'my_places'"));
 }
 
+TEST_CASE("the id of an installed plugin is refused, in its own role and in others") {
+  const Workshop workshop;
+  for (const char* role : {"place", "cells"}) {
+    const Finished taken = tolman::test::tolman(
+        {"plugins", "new", role, "bayesian_attractor", (workshop.folder() / "mine").string()});
+    INFO(taken.err);
+    CHECK(taken.exit_code == 2);
+    CHECK(contains(taken.err,
+                   "'bayesian_attractor' is the id of a plugin that is installed (cells, "));
+    CHECK(contains(taken.err, "choose another, such as my_bayesian_attractor\n"));
+    CHECK_FALSE(fs::exists(workshop.folder() / "mine"));
+  }
+}
+
 TEST_CASE("without the templates the remedy is named") {
   const Workshop workshop;
   fs::remove_all(workshop.prefix() / "share/tolman/template");

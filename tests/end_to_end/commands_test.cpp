@@ -263,6 +263,7 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
   REQUIRE(route.exit_code == 0);
   const auto plan = nlohmann::json::parse(route.out);
   CHECK(plan["legs"].front()["experience"] == 0);
+  CHECK(plan["unit"] == "m");
   // Straight ahead at 10 m/s: way and time follow from the last place.
   CHECK(plan["metres"].get<double>() ==
         Approx(plan["legs"].back()["forward_m"].get<double>()).epsilon(1e-3));

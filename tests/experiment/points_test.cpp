@@ -115,6 +115,11 @@ TEST_CASE("errors in a sweep file are reported with line and remedy") {
     CHECK(problems.find(part) != std::string::npos);
   };
   told("grid: {a: [1]}\n", "base: is missing");
+  told("base: motion\nsobol: {count: 2, seed: 1, keys: {a: {min: 1, max: 2}}}\n",
+       "study.yaml:2:19: sobol.seed: unknown key; keys: count, keys");
+  told(
+      "base: motion\nlist: {alignment: {a: {b: 1}}}\n",
+      "study.yaml:2:19: alignment: is a column of the table of `sweep collect`; rename the factor");
   told("base: motion\ngird: {a: [1]}\n", "study.yaml:2:1: gird: unknown key; did you mean 'grid'?");
   told("base: motion\ngrid: {a: 1}\n", ":2:11: a: expects a list of values, not one");
   told("base: motion\ngrid: {a: [1, 1]}\n", "has the value '1' twice");

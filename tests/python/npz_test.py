@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """run.npz against run.sqlite, by NumPy alone."""
+import errno
+import io
 import json
+import os
 import sqlite3
 import subprocess
 import sys
@@ -133,6 +136,40 @@ class NpzTest(Systems):
                 break
         self.assertIn(limited.returncode, (8, 70), limited.stderr)
         self.assertIn("ulimit -v", limited.stderr)
+
+    def test_too_few_open_files_are_told(self):
+        def fail(error):
+            def call():
+                raise error
+            return call
+
+        self.assertEqual(self.run_system().returncode, 0)
+        full = OSError(errno.EMFILE, os.strerror(errno.EMFILE), "table.py")
+        library = ImportError(f"libx.so: cannot open shared object file: {os.strerror(errno.EMFILE)}")
+        for error in (full, library):
+            with unittest.mock.patch("sys.stderr", io.StringIO()) as told:
+                self.assertEqual(exit_code_of(fail(error)), 8)
+            self.assertIn("`ulimit -n`", told.getvalue())
+        for kind in ("npz", "nwb"):
+            for limit in (6, 7, 8):  # which is too low depends on the libraries
+                done = subprocess.run(["bash", "-c", f"ulimit -n {limit}; exec {BUILD / 'bin/tolman'} export {self.folder / 'run'} --{kind}"],
+                                      capture_output=True, text=True, check=False, timeout=600)
+                if done.returncode != 0:
+                    self.assertEqual(done.returncode, 8, done.stderr)
+                    self.assertIn("ulimit -n", done.stderr)
+
+    def test_nothing_is_written_into_another_run(self):
+        for name in ("run", "other"):
+            self.assertEqual(self.run_system(out=name).returncode, 0)
+        run, other = self.folder / "run", self.folder / "other"
+        for module in ("npz", "nwb"):
+            for place, code in ((other / "x.file", 8), (other / "state/x.file", 8), (run / "x.file", 0), (self.folder / "x.file", 0)):
+                done = subprocess.run([sys.executable, "-m", f"tolman.{module}", str(run), str(place), "--force"],
+                                      capture_output=True, text=True, check=False, timeout=600)
+                self.assertEqual(done.returncode, code, done.stderr)
+                self.assertEqual(place.exists(), code == 0)
+                if code:
+                    self.assertIn(f"{place}: lies in the directory of the run {other.resolve()}, whose files belong to that run alone", done.stderr)
 
     def test_what_is_no_run_is_told(self):
         done = tolman("export", self.folder, "--npz")

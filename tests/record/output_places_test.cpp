@@ -70,6 +70,8 @@ TEST_CASE("the folders of a run are its own, at any depth and through links") {
   const test::TemporaryFolder scratch;
   const fs::path folder = fs::canonical(scratch.path());
   put(folder / "run/run.sqlite");
+  put(folder / "run/mine/x.svg");
+  put(folder / "other/run.sqlite");
   fs::create_directory(folder / "run/state");
   fs::create_directory_symlink(folder / "run/state", folder / "link");
   CHECK(runAround(folder / "run/state/deep/x") == folder / "run");
@@ -78,12 +80,29 @@ TEST_CASE("the folders of a run are its own, at any depth and through links") {
   for (const char* place :
        {"run/state", "run/figures/x.svg", "run/artefacts/a/b", "link", "link/x"}) {
     CAPTURE(place);
-    CHECK_FALSE(refuseRunFolders(folder / place, "--out").isOk());
+    CHECK_FALSE(refuseRunPlaces(folder / place, "--out").isOk());
+    CHECK_FALSE(refuseRunPlaces(folder / place, "--out", folder / "run").isOk());
   }
-  for (const char* place : {"run", "run/mine/x.svg", "run/x.svg", "state/x", "figures"}) {
+  for (const char* place : {"run", "state/x", "figures"}) {
     CAPTURE(place);
-    CHECK(refuseRunFolders(folder / place, "--out").isOk());
+    CHECK(refuseRunPlaces(folder / place, "--out").isOk());
   }
+  for (const char* place : {"run/mine/x.svg", "run/x.svg", "run/new/deep"}) {
+    CAPTURE(place);
+    CHECK(refuseRunPlaces(folder / place, "--out", folder / "run").isOk());
+    const std::string expected = (folder / place).string() + ": lies in the directory of the run " +
+                                 (folder / "run").string() +
+                                 ", whose files belong to that run alone; choose another --out";
+    CHECK(refuseRunPlaces(folder / place, "--out").message() == expected);
+    CHECK(refuseRunPlaces(folder / place, "--out", folder / "other").message() == expected);
+  }
+}
+
+TEST_CASE("a folder with no more than an empty log is no run around its files") {
+  const test::TemporaryFolder scratch;
+  std::ofstream(scratch.path() / "log.txt").flush();  // as `tolman run --out r > log.txt` makes it
+  CHECK_FALSE(runAround(scratch.path() / "r"));
+  CHECK(refuseRunPlaces(scratch.path() / "r", "--out").isOk());
 }
 
 TEST_CASE("no files of one run in another, nor a new run in the folders of one") {
@@ -92,9 +111,8 @@ TEST_CASE("no files of one run in another, nor a new run in the folders of one")
   const fs::path other = folder.path() / "other";
   put(one / "run.sqlite");
   put(other / "run.sqlite");
-  CHECK(
-      RunDirectory::mayTakeFilesOf(one, other / "figures").message().find("lies in another run") !=
-      std::string::npos);
+  CHECK(RunDirectory::mayTakeFilesOf(one, other / "figures").message().find("lies in the dir") !=
+        std::string::npos);
   CHECK_FALSE(RunDirectory::mayTakeFilesOf(one, other / "mine").isOk());
   CHECK_FALSE(RunDirectory::mayTakeFilesOf(one, one / "state").isOk());
   CHECK(RunDirectory::mayTakeFilesOf(one, one / "mine").isOk());
@@ -104,6 +122,12 @@ TEST_CASE("no files of one run in another, nor a new run in the folders of one")
   options.out = other / "figures/new";
   CHECK_FALSE(RunDirectory::create(options).isOk());
   CHECK_FALSE(fs::exists(other / "figures"));
+  options.out = other / "new";
+  CHECK_FALSE(RunDirectory::create(options).isOk());
+  CHECK_FALSE(fs::exists(other / "new"));
+  const Inside inside(other);  // without --out a run goes to runs/ here
+  CHECK_FALSE(RunDirectory::create({}).isOk());
+  CHECK_FALSE(fs::exists(other / "runs"));
 }
 
 }  // namespace tolman::record

@@ -21,7 +21,7 @@ import numpy as np
 
 import tolman
 from tolman import cells, program, spatial
-from tolman._files import refuse_existing
+from tolman._files import refuse_existing, refuse_run_places
 
 METRICS = ("map.ate.rmse_m", "loops.true_links", "loops.false_links", "odometry.ate.rmse_m")
 BIN_M, SIDE_M, UNITS = 0.5, 15, 40
@@ -305,6 +305,7 @@ def main(docs=None):
             renew_cost(tables / "models-cells.csv", chosen.sweep, chosen.cost)
         else:
             own = into_docs or not chosen.out
+            refuse_run_places(tables / WRITTEN[0], None, "choose another --out")
             refuse_existing([tables / name for name in WRITTEN], own or chosen.force, "choose another --out")
             write(chosen.sweep, tables, docs / "images" if into_docs else tables)
     except (OSError, ValueError) as error:
