@@ -138,10 +138,8 @@ void addInitCommand(CLI::App& app, Invocation& invocation) {
       ->check(notEmpty);
   const std::vector<std::pair<std::string, CarriedBy>> carriers = {
       {"car", CarriedBy::Car}, {"hand", CarriedBy::Hand}, {"toy", CarriedBy::Toy}};
-  command
-      ->add_option("--motion", options->carrier,
-                   "What carries the camera: car, hand or toy (default: a guess)")
-      ->type_name("MOTION")
+  command->add_option("--motion", options->carrier, "What carries the camera (default: a guess)")
+      ->type_name("car|hand|toy")
       ->transform(CLI::Validator(namedValue(carriers), ""));
   command->add_option("--set", options->values, "Parameter of the source: --set a=b (repeatable)")
       ->type_name("NAME=VALUE")
