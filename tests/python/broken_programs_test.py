@@ -73,7 +73,7 @@ OPENING = {
         program(imports="""
             import pathlib
             pathlib.Path(__file__).with_name("wide.py").write_bytes("x = 1".encode("utf-16"))
-            import wide"""), "ValueError: a file that is imported here is UTF-16 or damaged; save it as UTF-8 (mine.py:4"),
+            import wide"""), "ValueError: a file that is imported here is UTF-16 or damaged; save it as UTF-8 (mine.py:5"),
     "empty": ("", "this one has none"),
     "no class of a role": ("import tolman\nclass Mine:\n    pass\n", "this one has none"),
     "two classes": (program() + program().replace("Mine", "Other"), "Mine, Other"),
