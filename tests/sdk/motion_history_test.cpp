@@ -22,9 +22,10 @@ struct Case {
   Case() {
     for (int k = 0; k < 4; ++k) add(k, k, k < 2 ? 0 : 2);
   }
-  Eigen::Isometry3d add(std::int64_t frame, double metres, std::int64_t keyframe = 2) {
+  Eigen::Isometry3d add(std::int64_t frame, double metres, std::int64_t keyframe = 2,
+                        double dt = 1) {
     return history.add(frame, forward(metres), keyframe, forward(keyframes[keyframe]).inverse(),
-                       Matrix6d::Identity());
+                       Matrix6d::Identity(), dt);
   }
   std::optional<Eigen::Isometry3d> operator()(std::int64_t keyframe) const {
     const auto found = keyframes.find(keyframe);
@@ -91,6 +92,24 @@ TEST_CASE("frames without measurement are interpolated between measured ones") {
   CHECK(revisions[0].T_previous_current.isApprox(forward(0.1)));
   CHECK(revisions[1].T_previous_current.isApprox(forward(0.1)));
   CHECK(c.add(4, 1.3).isApprox(forward(0.1)));
+}
+
+TEST_CASE("a frame without an image between interpolated frames leaves a longer step") {
+  Case c;
+  c.add(4, 4, 2, 0.1);  // predicted; the next image is missing
+  c.history.interpolate(4, forward(5.1), 0.2);
+  const auto revisions = c.history.largeRevisions();
+  REQUIRE(revisions.size() == 1);
+  CHECK(revisions[0].frame == 4);
+  CHECK(revisions[0].T_previous_current.isApprox(forward(0.7)));  // 2.1 m in 0.3 s
+  CHECK(c.add(5, 5.1, 2, 0.2).isApprox(forward(1.4)));
+}
+
+TEST_CASE("where no time passes, interpolated steps are equal") {
+  Case c;
+  c.add(4, 4, 2, 0);
+  c.history.interpolate(4, forward(5), 0);
+  CHECK(c.add(5, 5, 2, 0).isApprox(forward(1)));
 }
 
 TEST_CASE("a camera that stands for long does not fill the memory") {

@@ -255,7 +255,7 @@ Status DirectSparse::finish(std::vector<MotionRevision>& revisions) {
 Eigen::Isometry3d DirectSparse::remember(const Eigen::Isometry3d& T_world_camera,
                                          const Keyframe& keyframe, const Motion& motion) {
   return history_.add(motion.frame, T_world_camera, keyframe.frame, keyframe.T_camera_world(),
-                      motion.covariance);
+                      motion.covariance, motion.dt);
 }
 
 bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
@@ -280,7 +280,7 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
                                   Motion& motion) {
   const Keyframe& reference = mapper_.window().newest();
   const Eigen::Isometry3d T_world_camera = poseOf(tracked);
-  if (first_lost_ >= 0) history_.interpolate(first_lost_, T_world_camera);
+  if (first_lost_ >= 0) history_.interpolate(first_lost_, T_world_camera, motion.dt);
   brightness_ = composed(reference.affine(), tracked.state.brightness);
   const Eigen::Isometry3d T_previous_current =
       normalised(history_.lastPose().inverse() * T_world_camera);
@@ -296,7 +296,7 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
     }
     T_world_final = mapper_.window().newest().T_world_camera();
     // Motions of frames tracked against assumed depths have a wrong scale.
-    if (draft >= 0) history_.interpolate(draft + 1, T_world_final);
+    if (draft >= 0) history_.interpolate(draft + 1, T_world_final, motion.dt);
     pose_covariance_.setZero();
     motion.revisions = history_.removeOld(findKeyframe());
   } else {

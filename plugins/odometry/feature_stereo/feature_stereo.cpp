@@ -127,7 +127,7 @@ Eigen::Isometry3d FeatureStereo::predictPose(double dt) const {
 Eigen::Isometry3d FeatureStereo::remember(const Eigen::Isometry3d& T_world_camera,
                                           const Keyframe& keyframe, const Motion& motion) {
   return history_.add(motion.frame, T_world_camera, keyframe.frame,
-                      keyframe.T_world_camera.inverse(), motion.covariance);
+                      keyframe.T_world_camera.inverse(), motion.covariance, motion.dt);
 }
 
 std::optional<FeatureStereo::Tracked> FeatureStereo::trackAny(const StereoPyramids& images,
@@ -241,7 +241,7 @@ Eigen::Isometry3d FeatureStereo::makeKeyframe(const Keyframe& keyframe,
 void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& tracked,
                                    Motion& motion) {
   Eigen::Isometry3d T_world_camera = tracked.pose.T_world_camera;
-  if (first_lost_ >= 0) history_.interpolate(first_lost_, T_world_camera);
+  if (first_lost_ >= 0) history_.interpolate(first_lost_, T_world_camera, motion.dt);
   tracks_ = std::move(tracked.tracks);
   motion.tracked = tracked.pose.inliers;
   motion.is_keyframe = wantsKeyframe();

@@ -385,12 +385,13 @@ class MotionHistory {
 
   /// Adds the newest frame, stored relative to the keyframe of frame index `keyframe`, whose
   /// present pose is the inverse of T_keyframe_world. Returns the motion from the frame that was
-  /// added before; this motion counts as reported, with `covariance`.
+  /// added before, `dt` seconds ago; this motion counts as reported, with `covariance`.
   Eigen::Isometry3d add(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                         std::int64_t keyframe, const Eigen::Isometry3d& T_keyframe_world,
-                        const Matrix6d& covariance) {
-    Entry entry{frame, keyframe, covariance, normalised(T_keyframe_world * T_world_camera),
-                T_world_camera};
+                        const Matrix6d& covariance, double dt = 1) {
+    Entry entry{
+        frame,         keyframe, dt, covariance, normalised(T_keyframe_world * T_world_camera),
+        T_world_camera};
     if (!empty()) entry.reported = normalised(lastPose().inverse() * T_world_camera);
     entries_.push_back(entry);
     if (entries_.size() > kMaxFrames) entries_.pop_front();
@@ -408,19 +409,24 @@ class MotionHistory {
     }
   }
 
-  /// Replaces the poses of the frames from `first` on by equal steps of the screw motion from the
-  /// frame before `first` to T_world_current, the pose of the frame that is about to be added.
-  void interpolate(std::int64_t first, const Eigen::Isometry3d& T_world_current) {
+  /// Replaces the poses of the frames from `first` on by steps of the screw motion from the frame
+  /// before `first` to T_world_current, the pose of the frame that is about to be added, `dt`
+  /// seconds after the last one. Steps are proportional to the time between frames: a frame without
+  /// an image leaves a longer step. They are equal if no time passes.
+  void interpolate(std::int64_t first, const Eigen::Isometry3d& T_world_current, double dt = 1) {
     std::size_t begin = 0;
     while (begin < entries_.size() && entries_[begin].frame < first) ++begin;
     if (begin == 0 || begin == entries_.size()) return;
     const Eigen::Isometry3d T_world_start = entries_[begin - 1].T_world_camera;
     const Vector6d whole = logSe3(T_world_start.inverse() * T_world_current);
+    double whole_dt = std::fmax(dt, 0);
+    for (std::size_t i = begin; i < entries_.size(); ++i) whole_dt += std::fmax(entries_[i].dt, 0);
     const auto steps = static_cast<double>(entries_.size() - begin + 1);
+    double passed = 0;
     for (std::size_t i = begin; i < entries_.size(); ++i) {
       Entry& entry = entries_[i];
-      const Vector6d part = whole * (static_cast<double>(i - begin + 1) / steps);
-      const Eigen::Isometry3d moved = normalised(T_world_start * expSe3(part));
+      passed += whole_dt > 0 ? std::fmax(entry.dt, 0) / whole_dt : 1 / steps;
+      const Eigen::Isometry3d moved = normalised(T_world_start * expSe3(whole * passed));
       entry.T_keyframe_camera =
           normalised(entry.T_keyframe_camera * entry.T_world_camera.inverse() * moved);
       entry.T_world_camera = moved;
@@ -450,6 +456,7 @@ class MotionHistory {
   struct Entry {
     std::int64_t frame = -1;
     std::int64_t keyframe = -1;  ///< frame index of the keyframe
+    double dt = 1;               ///< s since the frame before
     Matrix6d covariance;         ///< of `reported`
     Eigen::Isometry3d T_keyframe_camera;
     Eigen::Isometry3d T_world_camera;
