@@ -73,12 +73,11 @@ TOLMAN_WIDE_LANES Strongest strongestIn(const GrayLevel& image, const Cell& cell
   const float along_v = along[1];
   Eight best{};
   Eight largest{};
-  EightInts best_u{};
-  EightInts best_v{};
+  EightInts best_place{};
   for (int v = cell.v_begin; v < cell.v_end; ++v) {
-    const std::uint8_t* row = image.row(v);
+    const int row = v * image.width;
     for (int u = cell.u_begin; u < cell.u_end; u += 8) {
-      const std::uint8_t* p = row + u;
+      const std::uint8_t* p = image.pixels.data() + row + u;
       const Eight gu = differences(p + 1, p - 1);
       const Eight gv = differences(p + image.width, p - image.width);
       const Eight squared = gu * gu + gv * gv;
@@ -89,17 +88,18 @@ TOLMAN_WIDE_LANES Strongest strongestIn(const GrayLevel& image, const Cell& cell
       const EightInts better =
           ~weak & negative(u + kLane - cell.u_end) & negative(best - projection);
       best = chosen(better, projection, best);
-      best_u = chosen(better, u + kLane, best_u);
-      best_v = chosen(better, v + EightInts{}, best_v);
+      best_place = chosen(better, row + u + kLane, best_place);
     }
   }
   Strongest found;
+  int place = 0;
   for (int k = 0; k < 8; ++k) {
-    const bool earlier =
-        best_v[k] < found.pixel.v || (best_v[k] == found.pixel.v && best_u[k] < found.pixel.u);
+    const bool earlier = best_place[k] < place;
     if (best[k] < found.projection || (best[k] == found.projection && !earlier)) continue;
-    found = {{best_u[k], best_v[k]}, best[k]};
+    place = best_place[k];
+    found.projection = best[k];
   }
+  found.pixel = {place % image.width, place / image.width};
   for (int k = 0; k < 8; ++k) found.largest = std::max(found.largest, largest[k]);
   return found;
 }

@@ -41,28 +41,25 @@ void undo(const std::uint8_t* in, const std::uint8_t* above, std::size_t bytes, 
   }
 }
 
-/// Filter 1 of pixels of one byte: sums of all bytes so far, eight at once. They are added as the
-/// even and the odd ones in lanes of 16 bits, from which nothing overflows.
+/// Filter 1 of pixels of one byte, eight at once: each byte becomes the sum of all up to it. Pairs
+/// of bytes are added up in lanes of 16 bits, which sums of nine bytes do not exceed.
 void addUpRow(const std::uint8_t* in, std::size_t bytes, std::uint8_t* out) {
   static_assert(std::endian::native == std::endian::little);
   constexpr std::uint64_t kLanes = 0x0001000100010001;
-  constexpr std::uint64_t kBytes = 0x00ff00ff00ff00ff;
-  std::uint64_t sum = 0;  // of all bytes before
+  constexpr std::uint64_t kLowBytes = 0x00ff00ff00ff00ff;
+  std::uint64_t before = 0;  // the last byte of the eight before
   std::size_t i = 0;
   for (; i + 8 <= bytes; i += 8) {
     std::uint64_t word = 0;
     std::memcpy(&word, in + i, sizeof word);
-    // A product with kLanes has in each lane the sum of the lanes up to it.
-    const std::uint64_t even = (word & kBytes) * kLanes;
-    const std::uint64_t odd = (word >> 8 & kBytes) * kLanes;
-    const std::uint64_t before = sum * kLanes;
-    const std::uint64_t out_even = even + (odd << 16) + before;
-    const std::uint64_t out_odd = even + odd + before;
-    word = (out_even & kBytes) | (out_odd & kBytes) << 8;
+    const std::uint64_t second = word >> 8 & kLowBytes;
+    const std::uint64_t pairs = (word & kLowBytes) + second + before;
+    const std::uint64_t sums = pairs * kLanes;  // each lane: the sum of all lanes up to it
+    word = ((sums - second) & kLowBytes) | (sums & kLowBytes) << 8;
     std::memcpy(out + i, &word, sizeof word);
-    sum = (sum + ((even + odd) >> 48)) & 255;
+    before = sums >> 48 & 255;
   }
-  for (; i < bytes; ++i) out[i] = byte(static_cast<int>(sum += in[i]));
+  for (; i < bytes; ++i) out[i] = byte(static_cast<int>(before += in[i]));
 }
 
 template <std::size_t N>
