@@ -58,6 +58,21 @@ ResidualState ChunkSystem::judge(const PixelSums& sums, float threshold) {
   return ResidualState::Good;
 }
 
+/// The same sums as with the type FieldTerms, in whole registers.
+TOLMAN_INLINE void ChunkSystem::addToField(float xx, float xr, const FieldTerms& by_field) {
+  static_assert(kFields > 8 && kFields <= 16);
+  const Eight first = loadEight(by_field.data());
+  Eight others{};
+  for (std::size_t k = 8; k < kFields; ++k) others[k - 8] = by_field[static_cast<int>(k)];
+  for (int column = 0; column < kFieldVariables; ++column) {
+    const float weight = xx * by_field[column];
+    float* sum = field_information.col(column).data();
+    add(weight * first, sum);
+    add(weight * others, sum + 8);
+  }
+  field_gradient += xr * by_field;
+}
+
 TOLMAN_WIDE_LANES void ChunkSystem::addTemporal(int target, const PairGeometry& pair,
                                                 const PixelSums& s, const CentreJacobian& J,
                                                 PointTerms& terms) {
@@ -132,15 +147,9 @@ TOLMAN_INLINE void ChunkSystem::couple(int target, const PairGeometry& pair, con
   terms.slots |= (1U << slot) | (1U << static_cast<unsigned>(host_));
 }
 
-void ChunkSystem::addToField(float xx, float xr, const FieldTerms& by_field) {
-  for (int column = 0; column < kFieldVariables; ++column) {
-    field_information.col(column) += xx * by_field[column] * by_field;
-  }
-  field_gradient += xr * by_field;
-}
-
-void ChunkSystem::addStereo(const PixelSums& s, float focal_baseline, float lambda,
-                            const FieldTerms& by_field, PointTerms& terms) {
+TOLMAN_WIDE_LANES void ChunkSystem::addStereo(const PixelSums& s, float focal_baseline,
+                                              float lambda, const FieldTerms& by_field,
+                                              PointTerms& terms) {
   const float xx = lambda * s.xx;
   const float xr = lambda * s.xr;
   terms.information += focal_baseline * focal_baseline * xx;

@@ -30,7 +30,6 @@ struct PointTerms {
 class ChunkSystem {
  public:
   using FieldTerms = Eigen::Matrix<float, kFieldVariables, 1>;
-  using FieldMatrix = Eigen::Matrix<float, kFieldVariables, kFieldVariables>;
   void clear(int host);
   int host() const { return host_; }
 
@@ -60,7 +59,7 @@ class ChunkSystem {
   /// of the field.
   const std::array<std::array<float, kPadded>, kPadded>& schur() const { return schur_; }
   float schurGradient(std::size_t variable) const;
-  FieldMatrix field_information;
+  Eigen::Matrix<float, 16, kFieldVariables> field_information;  ///< columns padded to registers
   FieldTerms field_gradient;
   ScaleMoments<float> moments;  ///< of the static residuals
   double energy = 0;

@@ -12,11 +12,10 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr int kChunk = 128;        // points; fixed, for the same sums with any number of threads
-constexpr std::size_t kAhead = 3;  // how many points ahead pixels are prefetched
-/// Points that are placed in an image before their pixels are read, so that the memory of the first
-/// ones is fetched while others are placed. Chosen, not tuned.
-constexpr std::size_t kBatch = 16;
+constexpr int kChunk = 128;  // points; fixed, for the same sums with any number of threads
+/// How many points before its pixels are read a point is placed in an image and their memory asked
+/// for. Chosen, not tuned.
+constexpr std::size_t kAhead = 16;
 
 using RelativeSum = Eigen::Matrix<double, 8, 9 + kFieldVariables>;
 
@@ -152,21 +151,24 @@ void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& 
   const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
   const GrayLevel& image = window.keyframe(target).left.level(0);
   Point* points = window.keyframe(host).points.data() + chunk.range.begin;
-  std::array<PatternPlaces, kBatch> places;
+  std::array<PatternPlaces, kAhead> places;  // of the points from k on
+  const auto place = [&](std::size_t k) {
+    if (k >= terms.size() || points[k].temporal[indexOfSlot(target)] == ResidualState::Absent)
+      return;
+    placePattern(pair, image, points[k], places[k % kAhead]);
+  };
+  for (std::size_t k = 0; k < kAhead; ++k) place(k);
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    if (k % kBatch == 0) {
-      const std::size_t end = std::min(k + kBatch, terms.size());
-      for (std::size_t i = k; i < end; ++i) placePattern(pair, image, points[i], places[i - k]);
-    }
+    const PatternPlaces there = places[k % kAhead];
+    place(k + kAhead);
     Point& point = points[k];
     ResidualState& state = point.temporal[indexOfSlot(target)];
     if (state == ResidualState::Absent) continue;
-    const PatternPlaces& place = places[k % kBatch];
-    if (!place.inside) {
+    if (!there.inside) {
       state = ResidualState::Outside;
       continue;
     }
-    const PixelSums sums = temporalSums(pair, image, point.pattern, place);
+    const PixelSums sums = temporalSums(pair, image, point.pattern, there);
     state = system.judge(sums, window.energy_threshold);
     if (state != ResidualState::Good) continue;
     const CentreJacobian J =
@@ -200,15 +202,15 @@ void LinearSystem::addSightings(const CameraRig& rig, const SystemSettings& sett
                                 const Window& window, const Chunk& chunk, ChunkSystem& system,
                                 std::span<PointTerms> terms) const {
   const Point* points = window.keyframe(chunk.range.host).points.data() + chunk.range.begin;
-  std::array<SeenPoint, kBatch> seen;
+  std::array<SeenPoint, kAhead> seen;  // of the points from k on
+  const auto find = [&](std::size_t k) {
+    if (k >= terms.size()) return;
+    seen[k % kAhead] = findSighting(rig, window, chunk.range.host, points[k]);
+  };
+  for (std::size_t k = 0; k < kAhead; ++k) find(k);
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    if (k % kBatch == 0) {
-      const std::size_t end = std::min(k + kBatch, terms.size());
-      for (std::size_t i = k; i < end; ++i) {
-        seen[i - k] = findSighting(rig, window, chunk.range.host, points[i]);
-      }
-    }
-    auto& [target, sighting, point] = seen[k % kBatch];
+    auto [target, sighting, point] = seen[k % kAhead];
+    find(k + kAhead);
     if (target < 0) continue;
     const Keyframe& keyframe = window.keyframe(target);
     point.pattern = patternAt(keyframe.left.level(0), sighting.u, sighting.v);
@@ -249,7 +251,8 @@ void LinearSystem::sumUp(const Window& window) {
   energy_ = 0;
   residuals_ = 0;
   moments_ = ScaleMoments<double>();
-  SystemMatrix schur = SystemMatrix::Zero();
+  using RowMajor = Eigen::Matrix<double, kVariables, kVariables, Eigen::RowMajor>;
+  RowMajor schur = RowMajor::Zero();
   std::vector<RelativeSum> relative(kSlots * kSlots, RelativeSum::Zero());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     const ChunkSystem& system = systems_[i];
@@ -258,13 +261,14 @@ void LinearSystem::sumUp(const Window& window) {
       relative[indexOfSlot(system.host() * kSlots + target)] += symmetric(system.relative(target));
     }
     for (int r = 0; r < kVariables; ++r) {
+      const float* row = system.schur()[indexOfSlot(r)].data();
       for (int c = r - r % kFrameVariables; c < kVariables; ++c) {
-        schur(r, c) += system.schur()[indexOfSlot(r)][indexOfSlot(c)];
+        schur(r, c) += static_cast<double>(row[c]);
       }
       b_[r] -= system.schurGradient(indexOfSlot(r));
     }
     H_.bottomRightCorner<kFieldVariables, kFieldVariables>() +=
-        system.field_information.cast<double>();
+        system.field_information.topRows<kFieldVariables>().cast<double>();
     b_.tail<kFieldVariables>() += system.field_gradient.cast<double>();
     moments_.add(system.moments);
     energy_ += system.energy;

@@ -14,6 +14,13 @@ constexpr float kSmallestDepth = 1e-3F;  // of the host's depth; keeps the divis
 constexpr std::size_t kCentre = 4;       // of the pattern
 static_assert(kPatternU[kCentre] == 0 && kPatternV[kCentre] == 0);
 
+/// Reads a pixel at once. A prefetch of memory whose page is not in the TLB has no effect; after
+/// this, it has one for the rows near the pixel.
+TOLMAN_INLINE void loadPage(const GrayLevel& image, float u, float v) {
+  const volatile std::uint8_t* row = image.row(static_cast<int>(v));
+  (void)row[static_cast<int>(u)];
+}
+
 /// Asks for the memory of the rows v + first ... v + last at column u. A row of the pattern is much
 /// shorter than a cache line.
 TOLMAN_INLINE void prefetchRows(const GrayLevel& image, float u, float v, int first, int last) {
@@ -210,6 +217,7 @@ std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
 void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point) {
   const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
   if (!right.contains(u, point.v, kPatternRadius + 1)) return;
+  loadPage(right, u, point.v);
   prefetchRows(right, u, point.v, -kPatternRadius, kPatternRadius);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "gradient_samples.hpp"
 
@@ -60,6 +61,7 @@ struct Cell {
 struct Strongest {
   Pixel pixel;
   float projection = 0;
+  float largest = 0;  ///< squared differences, of any pixel of the cell or a little to its right
 };
 
 /// Of the pixels whose squared differences are at least `least`; the first of equal ones.
@@ -70,31 +72,35 @@ TOLMAN_WIDE_LANES Strongest strongestIn(const GrayLevel& image, const Cell& cell
   const float along_u = along[0];
   const float along_v = along[1];
   Eight best{};
-  EightInts best_u{};
-  EightInts best_v{};
+  Eight largest{};
+  EightInts best_place{};
   for (int v = cell.v_begin; v < cell.v_end; ++v) {
-    const std::uint8_t* row = image.row(v);
+    const int row = v * image.width;
     for (int u = cell.u_begin; u < cell.u_end; u += 8) {
-      const std::uint8_t* p = row + u;
+      const std::uint8_t* p = image.pixels.data() + row + u;
       const Eight gu = differences(p + 1, p - 1);
       const Eight gv = differences(p + image.width, p - image.width);
-      const EightInts weak = negative(gu * gu + gv * gv - least);
+      const Eight squared = gu * gu + gv * gv;
+      largest = larger(largest, squared);
+      const EightInts weak = negative(squared - least);
       const Eight sum = along_u * gu + along_v * gv;
       const Eight projection = chosen(negative(sum), -sum, sum);
       const EightInts better =
           ~weak & negative(u + kLane - cell.u_end) & negative(best - projection);
       best = chosen(better, projection, best);
-      best_u = chosen(better, u + kLane, best_u);
-      best_v = chosen(better, v + EightInts{}, best_v);
+      best_place = chosen(better, row + u + kLane, best_place);
     }
   }
   Strongest found;
+  int place = 0;
   for (int k = 0; k < 8; ++k) {
-    const bool earlier =
-        best_v[k] < found.pixel.v || (best_v[k] == found.pixel.v && best_u[k] < found.pixel.u);
+    const bool earlier = best_place[k] < place;
     if (best[k] < found.projection || (best[k] == found.projection && !earlier)) continue;
-    found = {{best_u[k], best_v[k]}, best[k]};
+    place = best_place[k];
+    found.projection = best[k];
   }
+  found.pixel = {place % image.width, place / image.width};
+  for (int k = 0; k < 8; ++k) found.largest = std::max(found.largest, largest[k]);
   return found;
 }
 
@@ -167,40 +173,49 @@ float PointSelector::thresholdAt(int u, int v) const {
   return thresholds_[static_cast<std::size_t>(j * blocks_u_ + i)];
 }
 
-void PointSelector::pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border,
-                                 float relax) {
+float PointSelector::pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border,
+                                  float relax, float most) {
   const int u_begin = std::max(u0, border);
   const int v_begin = std::max(v0, border);
   const int u_end = std::min(u0 + size, width_ - border);
   const int v_end = std::min(v0 + size, height_ - border);
-  if (u_begin >= u_end || v_begin >= v_end) return;
+  if (u_begin >= u_end || v_begin >= v_end) return 0;
   const float threshold = relax * thresholdAt((u_begin + u_end) / 2, (v_begin + v_end) / 2);
   // Lengths rounded down must exceed the threshold: the same condition for squared differences,
   // which are twice the gradient.
   const float limit = std::floor(threshold) + 1;
+  const float least = 4 * limit * limit;
+  if (most < least) return most;
   const Strongest found =
-      strongestIn(image, {u_begin, u_end, v_begin, v_end}, 4 * limit * limit, direction(u0, v0));
+      strongestIn(image, {u_begin, u_end, v_begin, v_end}, least, direction(u0, v0));
   if (found.projection > 0) pixels_.push_back(found.pixel);
+  return found.largest;
 }
 
 void PointSelector::pickFromCells(const GrayLevel& image, int border) {
   pixels_.clear();
   constexpr float kRelax = 0.75F;  // for each doubling; as in DSO
+  constexpr float kAny = std::numeric_limits<float>::max();
   const int large = 4 * cell_;
   for (int v = 0; v < height_; v += large) {
     for (int u = 0; u < width_; u += large) {
       const std::size_t before = pixels_.size();
+      float most = 0;
       for (int j = 0; j < 4; j += 2) {
         for (int i = 0; i < 4; i += 2) {
           const std::size_t before_middle = pixels_.size();
+          float most_middle = 0;
           for (int k = 0; k < 4; ++k) {
-            pickFromCell(image, u + (i + k % 2) * cell_, v + (j + k / 2) * cell_, cell_, border, 1);
+            const float largest = pickFromCell(image, u + (i + k % 2) * cell_,
+                                               v + (j + k / 2) * cell_, cell_, border, 1, kAny);
+            most_middle = std::max(most_middle, largest);
           }
+          most = std::max(most, most_middle);
           if (pixels_.size() > before_middle) continue;
-          pickFromCell(image, u + i * cell_, v + j * cell_, 2 * cell_, border, kRelax);
+          pickFromCell(image, u + i * cell_, v + j * cell_, 2 * cell_, border, kRelax, most_middle);
         }
       }
-      if (pixels_.size() == before) pickFromCell(image, u, v, large, border, kRelax * kRelax);
+      if (pixels_.size() == before) pickFromCell(image, u, v, large, border, kRelax * kRelax, most);
     }
   }
 }

@@ -26,7 +26,9 @@ class PointSelector {
   void measure(const GrayLevel& image);
   void findThresholds();
   void pickFromCells(const GrayLevel& image, int border);
-  void pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border, float relax);
+  /// `most`: squared differences that no pixel of the cell exceeds. Returns such a value.
+  float pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border, float relax,
+                     float most);
   float thresholdAt(int u, int v) const;
 
   int width_ = 0;

@@ -50,6 +50,17 @@ TOLMAN_INLINE Shorts loadShorts(const std::uint8_t* p) {
   return __builtin_convertvector(bytes, Shorts);
 }
 
+/// Pixels of the rows from v on, in column u; the outermost row for rows outside of the image.
+TOLMAN_INLINE std::array<const std::uint8_t*, 4> fourRows(const GrayLevel& image, int u, int v) {
+  if (v >= 0 && v + 3 < image.height) {
+    const std::uint8_t* p = image.row(v) + u;
+    const std::ptrdiff_t width = image.width;
+    return {p, p + width, p + 2 * width, p + 3 * width};
+  }
+  const auto row = [&](int at) { return image.row(std::clamp(at, 0, image.height - 1)) + u; };
+  return {row(v), row(v + 1), row(v + 2), row(v + 3)};
+}
+
 /// One row of the result, displaced by `steps` (one a block). Writes whole blocks, up to
 /// GrayLevel::kPadding bytes too many.
 TOLMAN_WIDE_LANES void mixRows(const GrayLevel& image, const std::int16_t* steps, int v,
@@ -58,10 +69,7 @@ TOLMAN_WIDE_LANES void mixRows(const GrayLevel& image, const std::int16_t* steps
   for (int u = 0; u < image.width; u += kColumns, ++steps, out += kColumns) {
     const int whole = *steps >> 5;  // rounded down
     const Weights& w = kWeights[static_cast<std::size_t>(*steps & (kSteps - 1))];
-    const auto row = [&](int below) {
-      return image.row(std::clamp(v + whole + below, 0, image.height - 1)) + u;
-    };
-    const std::uint8_t *a = row(-1), *b = row(0), *c = row(1), *d = row(2);
+    const auto [a, b, c, d] = fourRows(image, u, v + whole - 1);
     const Shorts sum =
         w[0] * loadShorts(a) + w[1] * loadShorts(b) + w[2] * loadShorts(c) + w[3] * loadShorts(d);
     const Shorts mixed = (sum + kScale / 2) >> 6;

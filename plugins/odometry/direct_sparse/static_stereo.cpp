@@ -18,15 +18,18 @@ namespace {
 constexpr int kRadius = 3;  // px, half side of the patch of the refinement; chosen, not tuned
 
 /// The patch around (u, v), with the brightness of the other image.
-StereoPatch patchAround(const GrayLevel& image, int u, int v, float gain, float offset) {
-  StereoPatch patch{};
-  for (int y = 0; y < kPatchHeight; ++y) {
+TOLMAN_WIDE_LANES StereoPatch patchAround(const GrayLevel& image, int u, int v, float gain,
+                                          float offset) {
+  using Bytes = std::uint8_t __attribute__((vector_size(8)));
+  static_assert(sizeof(Bytes) == kPatchWidth);
+  StereoPatch patch;  // NOLINT: written before it is read
+  std::uint8_t* out = patch.data();
+  for (int y = 0; y < kPatchHeight; ++y, out += kPatchWidth) {
     const std::uint8_t* row = image.row(v + y - kPatchHeight / 2) + u - kPatchWidth / 2;
-    for (int x = 0; x < kPatchWidth; ++x) {
-      const float value = gain * static_cast<float>(row[x]) + offset;
-      patch[static_cast<std::size_t>(y * kPatchWidth + x)] =
-          static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
-    }
+    const Eight value = gain * eightBytes(row) + offset;
+    const EightInts rounded = truncated(clamped(value + 0.5F, 0, 255));
+    const Bytes bytes = __builtin_convertvector(rounded, Bytes);
+    std::memcpy(out, &bytes, sizeof bytes);
   }
   return patch;
 }

@@ -68,6 +68,27 @@ TEST_CASE("a pixel of a level is the mean of four, and noise does not brighten t
   CHECK(grayStatistics(pyramid.level(3)).mean == Approx(bottom).margin(0.3));
 }
 
+TEST_CASE("every column of a level, for any number of columns") {
+  for (int columns = 16; columns <= 49; ++columns) {
+    RandomStream random(static_cast<std::uint64_t>(columns));
+    const Image image = imageOf(2 * columns + columns % 2, 32,
+                                [&](int, int) { return static_cast<int>(random.below(256)); });
+    ImagePyramid pyramid;
+    pyramid.build(image);
+    REQUIRE(pyramid.level(1).width == columns);
+    for (int v = 0; v < 16; ++v) {
+      for (int u = 0; u < columns; ++u) {
+        const std::uint8_t* p = image.row(2 * v) + 2 * u;
+        const std::uint8_t* q = image.row(2 * v + 1) + 2 * u;
+        const double mean = (p[0] + p[1] + q[0] + q[1]) / 4.0;
+        // Halves are rounded up in odd columns only.
+        const double rounded = u % 2 == 1 ? std::floor(mean + 0.5) : std::ceil(mean - 0.5);
+        CHECK(pyramid.level(1).row(v)[u] == static_cast<int>(rounded));
+      }
+    }
+  }
+}
+
 TEST_CASE("the same scene point has the same value on all levels at its coordinates there") {
   // A slope is unchanged by averaging, so levels can be compared at any position.
   ImagePyramid pyramid;

@@ -161,6 +161,17 @@ TEST_CASE("images of one row, one column and one pixel") {
   }
 }
 
+TEST_CASE("sums along rows of any length") {
+  for (int width = 1; width <= 40; ++width) {
+    CAPTURE(width);
+    cv::Mat pixels(3, width, CV_8UC1);
+    cv::RNG(width).fill(pixels, cv::RNG::UNIFORM, 0, 256);
+    const auto image = decodePlainPng(encoded(pixels, [](int) { return 1; }), false);
+    REQUIRE(image);
+    CHECK(isSame(*image, pixels));
+  }
+}
+
 TEST_CASE("the nearest of three neighbours, for all distances and ties") {
   for (int a = 0; a < 256; a += 5) {
     for (int b = 0; b < 256; b += 3) {
