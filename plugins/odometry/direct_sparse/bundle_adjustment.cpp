@@ -66,13 +66,14 @@ AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& se
   AdjustmentResult result;
   const Poses before = posesInOldest(window);
   const std::vector<PointRange> points = allPoints(window);
+  SystemVector step = SystemVector::Zero();
   for (int i = 0; i < settings.iterations; ++i) {
     system.build(rig, settings.system, window, points);
     result.iterations = i + 1;
     result.energy = system.energy();
     result.residuals = system.residuals();
     if (i == 0) window.moments.add(system.moments());
-    const SystemVector step = solve(window, system.H(), system.b(), settings.scale);
+    step = solve(window, system.H(), system.b(), settings.scale);
     const double depth_change = system.applyToDepths(window, step);
     const StepSize size = apply(window, step);
     // Root mean squares of a step, m, rad and grey levels. The one of a is that of DSO,
@@ -85,6 +86,12 @@ AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& se
     system.storeInformation(window);
     window.energy_threshold = system.outlierThreshold();
   }
+  SmoothField field{window.field.changes()};
+  if (settings.watch_field && !window.field.isOn()) {
+    // By the last linearisation, whose gradient has changed by the step.
+    field = fieldIfOn(window, system.H(), system.b() + system.H() * step, settings.scale);
+  }
+  result.field_rms = field.rmsWithoutOffset();
   measureMoves(window, before, result);
   return result;
 }

@@ -12,6 +12,7 @@ struct AdjustmentSettings {
   SystemSettings system;
   int iterations = 4;
   Scale scale = Scale::Known;
+  bool watch_field = false;  ///< whether field_rms of the result is wanted while the field is off
 };
 
 struct AdjustmentResult {
@@ -20,6 +21,9 @@ struct AdjustmentResult {
   int residuals = 0;
   double metres = 0;   ///< largest translation of a keyframe relative to the oldest one
   double radians = 0;  ///< largest rotation of a keyframe relative to the oldest one
+  /// px, root mean square over the image of the field of disparity errors without its offset, as it
+  /// is, or would be if it were on.
+  double field_rms = 0;
 };
 
 /// `system` is working memory. Afterwards residual states and point informations belong to the

@@ -79,8 +79,8 @@ Status DirectSparse::configure(const Context& context) {
 }
 
 Status DirectSparse::reset() {
+  mapper_.forgetCameras();
   mapper_.reset();
-  mapper_.rows().reset();
   tracker_.reset();
   history_.clear();
   brightness_ = Affine();
@@ -246,6 +246,11 @@ Status DirectSparse::finish(std::vector<MotionRevision>& revisions) {
   if (const RowAlignment& rows = mapper_.rows(); rows.isCorrecting()) {
     log_->info("rows of the right images were off by " + pixelText(rows.field().rms()) +
                " px (root mean square over the image) and have been corrected");
+  }
+  if (const DisparityField& field = mapper_.window().field; field.isOn()) {
+    log_->info("disparities had errors of " + pixelText(field.atInfinity().rmsWithoutOffset()) +
+               " px (root mean square over the image) and an offset of " +
+               pixelText(field.offset()) + " px, which have been corrected");
   }
   std::vector<MotionRevision> owed = history_.finish();
   revisions.insert(revisions.end(), owed.begin(), owed.end());

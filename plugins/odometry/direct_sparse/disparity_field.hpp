@@ -42,23 +42,29 @@ struct ScaleMoments {
 };
 
 /// A point of disparity d has column u - d + field in the right image. The offset, coefficient 0,
-/// has two possible causes. What a calibration by least squares leaves of it is compensated by
-/// focal length and baseline, so that disparities at the distance of the calibration are right. If
-/// a camera has turned since then, it is not compensated. docs/odometry.md has the derivation.
+/// has two possible causes. If a camera has turned since the calibration, columns are displaced as
+/// by a yaw, yaw (f + x^2 / f), at all disparities. What a calibration by least squares leaves is a
+/// constant, which focal length and baseline compensate, so that disparities at the distance of the
+/// calibration are right; it leaves other terms of the field, too, and they tell how much of the
+/// offset it can be. docs/odometry.md has the derivation.
 class DisparityField {
  public:
   using Terms = SmoothField::Terms;
 
   /// Image size in px; focal length in px, and times baseline in px m; distance of the calibration
-  /// in m, 0: an offset is never compensated.
+  /// in m, 0: an offset is always that of a turn. Off.
   void configure(int width, int height, double focal, double focal_baseline, double distance);
   /// Forgets the estimate.
   void clear();
+  /// While it is off there is only the offset, as that of a turn, and the other coefficients are
+  /// zero. Switching off sets them to zero.
+  void setOn(bool on);
+  bool isOn() const { return on_; }
 
   double offset() const { return first_ + change_[0]; }  ///< px
   /// Terms of the field at a column and row of the right image, for a point of this disparity. They
-  /// are its derivatives by the coefficients, but for the change of the share that is compensated:
-  /// it follows the estimate, and is not estimated itself.
+  /// are its derivatives by the coefficients, but for the change of the share of each cause: it
+  /// follows the estimate, and is not estimated itself.
   Terms termsAt(double u, double v, double disparity) const;
   /// The field where these are its terms, px.
   double sum(const Terms& terms) const { return terms.dot(change_) + terms[0] * first_; }
@@ -68,18 +74,24 @@ class DisparityField {
   /// The value of the offset, px, from which the estimate starts and which its prior expects.
   void startFrom(double offset);
 
-  /// The part of an offset (px) that calibration is expected to have left, 0 to 1.
-  double calibrationShare(double offset) const;
+  /// The part of the offset of this field (at disparity 0) that calibration is expected to have
+  /// left, 0 to 1.
+  double calibrationShare(const SmoothField& field) const;
+  /// Coefficients at disparity 0.
+  SmoothField atInfinity() const;
 
  private:
-  void updateCompensation();
+  void updateShares();
 
   int width_ = 1;
   int height_ = 1;
   double focal_ = 1;
-  double by_disparity_ = 0;  ///< 1/px, of a part that is compensated
-  double compensated_ = 0;   ///< 1/px, of the whole offset
-  double first_ = 0;         ///< px
+  double by_disparity_ = 0;   ///< 1/px, of an offset that calibration left
+  double across_by_yaw_ = 0;  ///< coefficient of P_2(x) of a yaw whose mean over the image is 1
+  bool on_ = false;
+  double compensated_ = 0;  ///< 1/px, of the whole offset
+  double across_ = 0;       ///< coefficient of P_2(x) of the whole offset
+  double first_ = 0;        ///< px
   Terms change_ = Terms::Zero();
 };
 

@@ -360,8 +360,8 @@ SystemVector scaleDirection(const Window& window) {
   return direction.stableNormalized();
 }
 
-SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
-                   Scale scale) {
+SystemVector solveWith(const Window& window, const SystemMatrix& H, const SystemVector& b,
+                       Scale scale, bool field_is_on) {
   constexpr double kHold =
       1e8;  // much more than any information: a standard deviation of 0.0004 px
   SystemMatrix whole = H + window.prior.H;
@@ -374,7 +374,8 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
   // The pose of the whole window is not observable: the oldest keyframe is fixed.
   const int held = window.empty() ? kVariables : kFrameVariables * window.order().front();
   for (int i = 0; i < kVariables; ++i) {
-    const bool is_held = i >= held && i < held + kFrameVariables;
+    const bool is_held =
+        (i >= held && i < held + kFrameVariables) || (i > kOffsetIndex && !field_is_on);
     if (whole(i, i) > 0 && !is_held) continue;
     whole.row(i).setZero();
     whole.col(i).setZero();
@@ -392,6 +393,17 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
   const Eigen::LDLT<SystemMatrix> factors(whole);
   const SystemVector step = units.cwiseProduct(factors.solve(units.cwiseProduct(rhs)));
   return step.allFinite() ? step : SystemVector::Zero().eval();
+}
+
+SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
+                   Scale scale) {
+  return solveWith(window, H, b, scale, window.field.isOn());
+}
+
+SmoothField fieldIfOn(const Window& window, const SystemMatrix& H, const SystemVector& b,
+                      Scale scale) {
+  const SystemVector step = solveWith(window, H, b, scale, true);
+  return {window.field.changes() + step.tail<kFieldVariables>()};
 }
 
 }  // namespace tolman::direct_sparse

@@ -96,9 +96,13 @@ class LinearSystem {
 enum class Scale : std::uint8_t { Known, Free };
 
 /// H, b plus the window's prior at the present change, solved; unused variables and those of the
-/// oldest keyframe, which fixes the gauge, stay 0. The step does not change a free scale.
+/// oldest keyframe, which fixes the gauge, stay 0. The step does not change a free scale. While
+/// the field is off, of its coefficients only the offset changes.
 SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
                    Scale scale = Scale::Known);
+/// What the coefficients of the field are by the solution in which all of them may change, px.
+SmoothField fieldIfOn(const Window& window, const SystemMatrix& H, const SystemVector& b,
+                      Scale scale = Scale::Known);
 
 /// Unit vector: the change of all poses that scales the window about its oldest keyframe.
 SystemVector scaleDirection(const Window& window);

@@ -26,7 +26,9 @@ void Mapper::configure(const CameraRig& rig, const MapperSettings& settings) {
   settings_ = settings;
   window_.field.configure(rig.width, rig.height, rig.pinhole.fx, rig.pinhole.fx * rig.baseline,
                           settings.calibration_distance);
+  settings_.adjustment.watch_field = settings.column_sigma > 0;
   rows_.configure(rig.width, rig.height, settings.row_sigma);
+  forgetCameras();
   reset();
 }
 
@@ -36,6 +38,12 @@ void Mapper::reset() {
   activator_.reset();
   draft_ = false;
   adjustment_ = AdjustmentResult();
+}
+
+void Mapper::forgetCameras() {
+  rows_.reset();
+  decision_.reset();
+  window_.field.setOn(false);
 }
 
 void Mapper::setFieldPrior() {
@@ -71,6 +79,10 @@ std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_w
   if (keyframe.has_right) matchCandidates(keyframe);
   activator_.activate(rig_, settings_.adjustment.system, settings_.points, window_);
   adjustment_ = adjustWindow(rig_, adjustmentFor(keyframe), window_, system_);
+  if (settings_.adjustment.watch_field && keyframe.has_right) {
+    const bool on = decision_.decide(adjustment_.field_rms);
+    if (on != window_.field.isOn()) window_.field.setOn(on);
+  }
   dropOutliers(window_);
   shrink();
   return window_.pointCount();

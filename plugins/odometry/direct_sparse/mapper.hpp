@@ -7,6 +7,7 @@
 
 #include "activation.hpp"
 #include "bundle_adjustment.hpp"
+#include "field_decision.hpp"
 #include "point_selection.hpp"
 #include "row_alignment.hpp"
 #include "static_stereo.hpp"
@@ -34,6 +35,8 @@ class Mapper {
   void configure(const CameraRig& rig, const MapperSettings& settings);
   /// Removes the window; what was learnt of the cameras stays.
   void reset();
+  /// Forgets the errors of rows, and whether there is a field of disparity errors. Before reset().
+  void forgetCameras();
   /// Rows of right images, which rows().correct() must have corrected before they are given.
   RowAlignment& rows() { return rows_; }
   const RowAlignment& rows() const { return rows_; }
@@ -86,6 +89,7 @@ class Mapper {
   Activator activator_;
   LinearSystem system_;
   RowAlignment rows_;
+  FieldDecision decision_;
   std::vector<std::optional<StereoMatch>> matches_;
   std::vector<RowCorner> corners_;
   struct GreyPair {

@@ -81,13 +81,15 @@ struct Parameters {
                 .doc(
                     "Standard deviation of horizontal errors of the rectification, which are "
                     "estimated as a smooth field over the right image; for terms of degree n it is "
-                    "divided by n + 1. 0: only an offset."),
+                    "divided by n + 1. The field is used where it exceeds 0.1 px. 0: only an "
+                    "offset, as that of a turned camera."),
             parameter<P, double>("calibration_distance", &P::calibration_distance)
                 .range(0, 1000)
                 .unit("m")
                 .doc("Distance at which the rig was calibrated: there its disparities are right "
-                     "although they have an offset, unless a camera has turned since. 0: an offset "
-                     "is the same at all distances."),
+                     "although they have an offset, as far as the field of horizontal errors shows "
+                     "that it is not that of a camera which has turned since. 0: an offset is "
+                     "that of a turned camera."),
             parameter<P, double>("row_sigma", &P::row_sigma)
                 .range(0, 5)
                 .unit("px")

@@ -34,10 +34,13 @@ SmoothField::Terms SmoothField::termsAt(double u, double v, int width, int heigh
   return terms;
 }
 
-double SmoothField::rms() const {
+double SmoothField::rms() const { return std::hypot(coefficients[0], rmsWithoutOffset()); }
+
+double SmoothField::rmsWithoutOffset() const {
   // Legendre polynomials are orthogonal; the mean of P_i^2 over [-1, 1] is 1 / (2 i + 1).
   double square = 0;
   forEachTerm([&](int term, int i, int j) {
+    if (term == 0) return;
     square += coefficients[term] * coefficients[term] / ((2 * i + 1) * (2 * j + 1));
   });
   return std::sqrt(square);

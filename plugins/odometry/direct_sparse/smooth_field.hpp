@@ -27,6 +27,7 @@ struct SmoothField {
   }
   /// Root mean square over an image, px.
   double rms() const;
+  double rmsWithoutOffset() const;
 
   Terms coefficients = Terms::Zero();
 };

@@ -25,6 +25,7 @@ std::unique_ptr<Window> threeKeyframes(int points) {
   window->prior.H.diagonal().head<8>().setConstant(kHold);
   window->prior.H.diagonal().tail<kFieldVariables>().setConstant(1e4);
   window->field.configure(rig.width, rig.height, rig.pinhole.fx, rig.pinhole.fx * rig.baseline, 4);
+  window->field.setOn(true);
   // Off the optimum, so that there is a step.
   window->keyframe(1).T0_camera_world =
       expSe3((Vector6d() << 0.01, -0.005, 0.01, 0.001, 0.001, 0).finished()) *
@@ -343,4 +344,23 @@ TEST_CASE("a step of the field does not act like a common factor of the disparit
   const SystemVector step = solve(*window, system.H(), system.b());
   CHECK(factor.dot(step.tail<kFieldVariables>()) == Approx(0).margin(1e-5));
   CHECK(step.tail<kFieldVariables>().norm() > 1e-3);
+}
+
+TEST_CASE("while the field is off only its offset moves; what it would be is known") {
+  const CameraRig rig = test::streetRig();
+  const auto window = threeKeyframes(400);
+  LinearSystem system;
+  system.build(rig, SystemSettings{1.5F}, *window, allPoints(*window));
+  const SystemVector on = solve(*window, system.H(), system.b());
+  window->field.setOn(false);
+  const SmoothField would_be = fieldIfOn(*window, system.H(), system.b());
+  CHECK(would_be.coefficients == on.tail<kFieldVariables>());
+  const SystemVector off = solve(*window, system.H(), system.b());
+  CHECK(off.tail<kFieldVariables - 1>().isZero(0));
+  // The same as with coefficients that a prior holds.
+  window->field.setOn(true);
+  window->prior.H.diagonal().tail<kFieldVariables - 1>().setConstant(1e13);
+  const SystemVector held = solve(*window, system.H(), system.b());
+  CHECK((off - held).norm() < 1e-6);
+  CHECK(off[kOffsetIndex] == Approx(held[kOffsetIndex]));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 
 #include "harness.hpp"
 #include "street.hpp"
@@ -13,6 +14,21 @@ using namespace tolman;
 using namespace tolman::direct_sparse;
 
 namespace {
+
+/// A pixel at column u of the image comes to u + errors(u, v), by linear interpolation.
+Image displaced(const Image& image, const std::function<double(double, double)>& errors) {
+  return Image::create(image.width(), image.height(), PixelFormat::Gray8, [&](std::uint8_t* data) {
+    for (int v = 0; v < image.height(); ++v) {
+      for (int u = 0; u < image.width(); ++u) {
+        const double from = std::clamp(u - errors(u, v), 0.0, image.width() - 1.001);
+        const int left = static_cast<int>(from);
+        const double part = from - left;
+        const double value = (1 - part) * image.row(v)[left] + part * image.row(v)[left + 1];
+        *data++ = static_cast<std::uint8_t>(value + 0.5);
+      }
+    }
+  });
+}
 
 struct MapperCase {
   CameraRig rig = test::streetRig();
@@ -25,8 +41,11 @@ struct MapperCase {
     settings.window = 4;
     mapper.configure(rig, settings);
   }
-  void keyframe(int index, const Eigen::Isometry3d& pose, bool covered = false) {
-    const Frame frame = test::streetFrame(index, pose);
+  /// The right image is displaced to the right by `errors(u, v)` px, if there are any.
+  void keyframe(int index, const Eigen::Isometry3d& pose, bool covered = false,
+                const std::function<double(double, double)>& errors = {}) {
+    Frame frame = test::streetFrame(index, pose);
+    if (errors) frame.right = displaced(frame.right, errors);
     ImagePyramid left;
     ImagePyramid right;
     left.build(frame.left);
@@ -122,4 +141,55 @@ TEST_CASE("reset equals fresh") {
   const auto& b = fresh.mapper.window().newest().points;
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].inverse_depth == b[i].inverse_depth);
+}
+
+namespace {
+
+/// The field after a drive of ten keyframes with these errors of columns.
+DisparityField fieldAfterDrive(const std::function<double(double, double)>& errors) {
+  MapperCase c;
+  c.settings.offset_sigma = 1;
+  c.settings.column_sigma = 0.3;
+  c.settings.calibration_distance = 4;
+  c.mapper.configure(c.rig, c.settings);
+  for (int k = 0; k < 10; ++k) c.keyframe(k, test::streetPose(0.5 * k), false, errors);
+  return c.mapper.window().field;
+}
+
+}  // namespace
+
+TEST_CASE("exact cameras have no field of disparity errors") {
+  const DisparityField field = fieldAfterDrive({});
+  CHECK_FALSE(field.isOn());
+  CHECK(std::abs(field.offset()) < 0.05);
+}
+
+TEST_CASE("smooth errors of the columns are found") {
+  const double width = test::streetRig().width;
+  const double height = test::streetRig().height;
+  const auto errors = [&](double u, double v) {
+    return 0.8 * (2 * u / width - 1) * (2 * v / height - 1);
+  };
+  const DisparityField field = fieldAfterDrive(errors);
+  REQUIRE(field.isOn());
+  for (const double u : {80.0, 400.0}) {
+    for (const double v : {40.0, 160.0}) {
+      CHECK(field.at(u, v, 0) == Approx(errors(u, v)).margin(0.2));
+    }
+  }
+}
+
+TEST_CASE("a turned camera has an offset, which is not compensated, and no field") {
+  const CameraRig rig = test::streetRig();
+  constexpr double kYaw = 0.4 / 300;  // 0.4 px at the centre
+  const auto errors = [&](double u, double) {
+    const double x = u - rig.pinhole.cx;
+    return kYaw * (rig.pinhole.fx + x * x / rig.pinhole.fx);
+  };
+  const DisparityField field = fieldAfterDrive(errors);
+  CHECK_FALSE(field.isOn());
+  for (const double disparity : {0.0, 40.0}) {
+    CHECK(field.at(240, 100, disparity) == Approx(0.4).margin(0.08));
+    CHECK(field.at(20, 100, disparity) == Approx(errors(20, 100)).margin(0.12));
+  }
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When the field of disparity errors is switched on and off.
+#include "field_decision.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tolman::direct_sparse;
+
+TEST_CASE("a field is on after three significant estimates in a row") {
+  FieldDecision decision;
+  CHECK_FALSE(decision.isOn());
+  CHECK_FALSE(decision.decide(0.3));
+  CHECK_FALSE(decision.decide(0.3));
+  CHECK_FALSE(decision.decide(0.09));  // starts again
+  CHECK_FALSE(decision.decide(0.3));
+  CHECK_FALSE(decision.decide(0.3));
+  CHECK(decision.decide(0.3));
+}
+
+TEST_CASE("a field that is on stays on while it is not clearly smaller, and reset forgets it") {
+  FieldDecision decision;
+  for (int i = 0; i < 3; ++i) decision.decide(0.2);
+  for (int i = 0; i < 20; ++i) CHECK(decision.decide(0.07));
+  CHECK(decision.decide(0.04));
+  CHECK(decision.decide(0.04));
+  CHECK_FALSE(decision.decide(0.04));
+  for (int i = 0; i < 20; ++i) CHECK_FALSE(decision.decide(0.07));
+  for (int i = 0; i < 3; ++i) decision.decide(0.2);
+  decision.reset();
+  CHECK_FALSE(decision.isOn());
+}
