@@ -58,7 +58,7 @@ Status BagSource::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   log_ = &context.log;
-  used_bits_ = {};
+  used_bits_ = source_parameters::UsedBits(parameters_.bits);
   return ready_ = prepare(context);
 }
 
@@ -274,7 +274,7 @@ Status BagSource::next(Frame& frame) {
 
 void BagSource::tellUsedBits() {
   const bool is_last = next_frame_ == sequence_.size();
-  if (const auto warning = used_bits_.warning(parameters_.bits, is_last)) {
+  if (const auto warning = used_bits_.warning(is_last, next_frame_ - 1)) {
     log_->warning(parameters_.path + ": " + chosen_.left->topic.name + ": " + *warning);
   }
 }
@@ -296,8 +296,8 @@ Status BagSource::readImage(const BagTopic& topic, std::size_t index, Image& ima
                                   parameters_.colour, size_, chosen_.left->topic.name, deep)
                    : Result<Image>(bytes.status());
   const Status status = converted.status();
-  used_bits_.add(deep.largest);
-  if (const auto warning = used_bits_.beyond(deep.largest, parameters_.bits)) {
+  used_bits_.add(deep.widths);
+  if (const auto warning = used_bits_.beyond(deep.widths.largest())) {
     log_->warning(parameters_.path + ": image " + std::to_string(index) + " of " +
                   topic.topic.name + " " + *warning);
   }
