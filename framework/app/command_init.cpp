@@ -15,6 +15,7 @@
 #include "app/named_value.hpp"
 #include "app/output_files.hpp"
 #include "app/system_options.hpp"
+#include "open_files.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {
@@ -45,6 +46,10 @@ SourceValues splitValues(const std::vector<std::string>& texts) {
 }
 
 std::string unreadText(const std::string& recording, const RecordingSearch& search) {
+  constexpr int kFilesOfProbe = 4;
+  if (file_opening::areDescriptorsShort(kFilesOfProbe)) {
+    return recording + ": " + file_opening::kNotOpened;
+  }
   std::string text = recording + ": no source reads it";
   for (const std::string& reason : search.reasons) text += "\n  " + reason;
   return text + "\nParameters are given by --set NAME=VALUE; see docs/your-camera.md";

@@ -8,6 +8,7 @@
 #include <set>
 #include <system_error>
 
+#include "open_files.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::ros_bag {
@@ -132,7 +133,9 @@ Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
   }
   std::sort(files.begin(), files.end(), comesBefore);
   if (!files.empty()) return files;
-  return Status::invalidInput(path.string() + ": has no .mcap, .db3 or .bag file; check the path");
+  return Status::invalidInput(
+      path.string() + ": " +
+      file_opening::notOpened("has no .mcap, .db3 or .bag file; check the path"));
 }
 
 }  // namespace tolman::ros_bag

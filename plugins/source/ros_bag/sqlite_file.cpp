@@ -11,6 +11,7 @@
 
 #include "bag_problems.hpp"
 #include "compression.hpp"
+#include "open_files.hpp"
 
 namespace tolman::ros_bag {
 namespace {
@@ -70,6 +71,10 @@ Result<std::unique_ptr<SqliteFile>> SqliteFile::open(const std::filesystem::path
     if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
     return file;
   } catch (const SQLite::Exception& failure) {
+    constexpr int kFiles = 3;  // the database, its journal, its folder
+    if (failure.getErrorCode() == SQLITE_CANTOPEN && file_opening::areDescriptorsShort(kFiles)) {
+      return Status::invalidInput(path.string() + ": " + file_opening::kNotOpened);
+    }
     return Status::invalidInput(path.string() + ": is no database that can be read (" +
                                 failure.what() + "); copy the bag again");
   }

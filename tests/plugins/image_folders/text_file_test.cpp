@@ -90,6 +90,12 @@ TEST_CASE("a byte order mark before the first line is no part of it, and elsewhe
   CHECK(data.anonymous(inspection.status().message()) == "DATA/f.txt: is empty; restore it");
 }
 
+TEST_CASE("a time that no double holds is no time, a small one is rounded") {
+  CHECK(parseSeconds("1e-400") == std::nullopt);
+  CHECK(parseSeconds("1e-12") == 0);
+  CHECK(parseSeconds("+1.5") == 1'500'000'000);
+}
+
 TEST_CASE("numbers fill their field and are finite") {
   CHECK(parseNumber("-3.798145000000e+02") == -379.8145);
   CHECK(parseNumber("+1.5") == 1.5);

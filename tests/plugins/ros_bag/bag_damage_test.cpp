@@ -8,6 +8,7 @@
 
 #include "bag_case.hpp"
 #include "ros1_case.hpp"
+#include "support/few_descriptors.hpp"
 
 namespace tolman::ros_bag {
 namespace {
@@ -175,6 +176,18 @@ TEST_CASE("a bag all of whose times of recording are before 1970 names the topic
     CHECK(skipped.message ==
           "/left/image_rect: none of its 4 messages could be read; copy the bag again, or record "
           "it again");
+  }
+}
+
+TEST_CASE("bags that cannot be opened for want of descriptors are told as such") {
+  const test::TemporaryFolder folder;
+  test::writeDb3(folder.path() / "a.db3", pairMessages(2));
+  test::writeBytes(folder.path() / "a.mcap", test::mcapBytes(pairMessages(2)));
+  for (const auto& [name, left] : {std::pair{"a.mcap", 0}, {"a.db3", 0}, {"a.db3", 1}}) {
+    const test::FewDescriptors few(left);
+    CHECK(Played(folder.path() / name).message ==
+          (folder.path() / name).string() +
+              ": cannot be opened; allow more open files (`ulimit -n`)");
   }
 }
 
