@@ -38,7 +38,7 @@ struct LineError {
 double numberIn(const std::string& word, const char* otherwise) {
   if (const std::optional<double> number = text_encoding::parseNumber(word)) return *number;
   const std::string_view why = text_encoding::numberProblem(word);
-  if (why.find("double") == std::string_view::npos) throw LineError{otherwise};
+  if (why.find("small") == std::string_view::npos) throw LineError{otherwise};
   throw LineError{"'" + word.substr(0, 24) + "' " + std::string(why) + "; correct it"};
 }
 
@@ -113,7 +113,7 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
   if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + ": " +
+    return Status::invalidInput(file.string() + " " +
                                 file_opening::notOpened("is not a readable file; check the path"));
   }
   if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {

@@ -25,7 +25,7 @@ TEST_CASE("seconds become nanoseconds exactly") {
     CHECK(parseSeconds("1.0000000015") == 1000000002);
     CHECK(parseSeconds("5e-10") == 1);
     CHECK(parseSeconds("5e-11") == 0);
-    CHECK(parseSeconds("1e-999") == 0);
+    CHECK(parseSeconds("1e-300") == 0);
   }
   SECTION("what is no time") {
     for (const char* text : {"", "-", ".", "e5", "1e", "1e+-2", "1.2.3", "1,5", "nan", "inf", "0x1",
