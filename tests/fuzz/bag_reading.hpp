@@ -16,7 +16,7 @@ namespace tolman::fuzz {
 inline void readMessages(ros_bag::BagFile& bag, bool checked) {
   using Visited = std::pair<ros_bag::MessagePlace, std::vector<std::uint8_t>>;
   std::vector<Visited> visited;
-  FileDamage damage;
+  ros_bag::FileDamage damage;
   bag.visit(
       [&](const ros_bag::Topic&, std::int64_t, const ros_bag::MessagePlace& place,
           ros_bag::Bytes bytes) {
