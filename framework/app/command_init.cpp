@@ -16,6 +16,7 @@
 #include "app/output_files.hpp"
 #include "app/path_kind.hpp"
 #include "app/system_options.hpp"
+#include "open_files.hpp"
 #include "record/atomic_file.hpp"
 #include "record/output_places.hpp"
 
@@ -49,6 +50,10 @@ SourceValues splitValues(const std::vector<std::string>& texts) {
 }
 
 std::string unreadText(const std::string& recording, const RecordingSearch& search) {
+  constexpr int kFilesOfProbe = 4;
+  if (file_opening::areDescriptorsShort(kFilesOfProbe)) {
+    return recording + ": " + file_opening::kNotOpened;
+  }
   const PathKind kind = kindOf(recording);
   const bool is_recording = kind == PathKind::Recording || kind == PathKind::ImageFolder ||
                             kind == PathKind::Bag || kind == PathKind::Image;

@@ -45,6 +45,9 @@ std::string notKnown(const Probe& probe, const RecordingSearch& search, CarriedB
   if (search.rate_assumed)
     add(fmt::format("the frame rate: {:.4g} Hz are assumed (source.rate)", probe.rate));
   for (const std::string& reason : search.unread_times) add("the times: " + reason);
+  for (const std::string& reason : search.unread_calibrations) {
+    add("the calibration could not be used: " + reason);
+  }
   if (probe.width > 0 && !probe.calibrated) {
     add("the calibration: turns are right only with the right odometry.field_of_view, and lengths");
     text += "#     have an arbitrary scale\n";

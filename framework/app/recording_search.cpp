@@ -162,7 +162,10 @@ class Search {
     if (!found_.best) tryPairs();
     found_.reasons = std::move(reasons);
     if (!ended_.empty()) found_.reasons.push_back(ended_);
-    if (found_.best && found_.best->width > 0 && !found_.best->calibrated) tryCalibrations();
+    if (found_.best && found_.best->width > 0 && !found_.best->calibrated) {
+      tryCalibrations();
+      if (!found_.best->calibrated) tellUnreadCalibrations();
+    }
     if (found_.best && !found_.rate_assumed) tryStamps();
     if (found_.best && !found_.rate_assumed) questionRate();
     return std::move(found_);
@@ -268,6 +271,24 @@ class Search {
       if (!calibrated || !calibrated->calibrated) continue;
       found_.best = std::move(calibrated);
       return;
+    }
+  }
+
+  /// Keeps the reasons of sources that name a line of a file that seems to be a calibration.
+  void tellUnreadCalibrations() {
+    for (const std::string& file : calibrations()) {
+      std::string name = file;
+      std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+      constexpr std::array kWords = {"calib", "cam", "intrinsic", "sensor"};
+      const bool is_calibration = std::ranges::any_of(
+          kWords, [&](const char* word) { return name.find(word) != std::string::npos; });
+      const std::string path = (recording_ / file).string() + ":";
+      for (const std::string& reason : found_.reasons) {
+        const std::size_t at = reason.find(path);
+        if (!is_calibration || at == std::string::npos) continue;
+        found_.unread_calibrations.push_back(reason.substr(at));
+        break;  // further sources say the same
+      }
     }
   }
 

@@ -17,6 +17,8 @@ struct RecordingSearch {
   std::vector<std::string> reasons;        ///< "SOURCE: why it does not read the recording"
   std::vector<std::string> other_folders;  ///< with images that the found source does not read
   std::vector<std::string> unread_times;   ///< why the source cannot use the times that lie there
+  /// "FILE:LINE: why", of files that seem to be calibrations and were not used.
+  std::vector<std::string> unread_calibrations;
   bool rate_assumed = false;
 };
 

@@ -83,7 +83,7 @@ std::string healthText(const run::Outcome& outcome) {
   std::string text =
       fmt::format("{:<10}{} of {} frames, {} initialising, {} lost{}\n", "tracking", n.tracked(),
                   n.frames, n.initialising, n.lost, n.lost_at_end ? "; lost at the end" : "");
-  if (n.neverTracked()) text += fmt::format("{:<10}{}\n", "", n.neverTrackedText());
+  if (!n.endText().empty()) text += fmt::format("{:<10}{}\n", "", n.endText());
   text += fmt::format("{:<10}{} processed, {} dropped, {} skipped, {} without image\n", "frames",
                       n.frames, n.dropped, n.skipped, n.defects);
   text += fmt::format(

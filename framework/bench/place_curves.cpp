@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "open_files.hpp"
 #include "report/axes.hpp"
 #include "text_encoding.hpp"
 
@@ -42,7 +43,8 @@ Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
-  if (!stream.is_open()) return Status::invalidInput(file.string() + ": cannot be read");
+  if (!stream.is_open())
+    return Status::invalidInput(file.string() + ": " + file_opening::notOpened("cannot be read"));
   if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
     return Status::invalidInput(file.string() + ": " + problem);
   }

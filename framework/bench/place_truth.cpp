@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dataset/loop_truth.hpp"
+#include "open_files.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::bench {
@@ -49,7 +50,8 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
   if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + ": cannot be read as a file of true pairs");
+    return Status::invalidInput(file.string() + ": " +
+                                file_opening::notOpened("cannot be read as a file of true pairs"));
   }
   if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
     return Status::invalidInput(file.string() + ": " + problem);

@@ -6,6 +6,8 @@
 
 #include <cerrno>
 
+#include "open_files.hpp"
+
 namespace tolman::config {
 
 Result<std::string> resolvePath(const std::string& path, const Origin& origin,
@@ -31,7 +33,8 @@ Result<std::string> resolvePath(const std::string& path, const Origin& origin,
 std::string absence(const std::filesystem::path& path, const std::string& missing) {
   std::error_code ignored;
   const int reading = R_OK | (std::filesystem::is_directory(path, ignored) ? X_OK : 0);
-  if (::access(path.c_str(), reading) == 0 || errno != EACCES) return missing;
+  if (::access(path.c_str(), reading) == 0) return file_opening::notOpened(missing);
+  if (errno != EACCES) return missing;
   return "permission denied; let this user read it, and enter the folders above it (`chmod u+rX`)";
 }
 

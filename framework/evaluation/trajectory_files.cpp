@@ -10,12 +10,15 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "number_text.hpp"
+#include "open_files.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::evaluation {
@@ -53,17 +56,9 @@ std::vector<std::string_view> words(std::string_view line) {
 }
 
 double number(std::string_view word) {
-  const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::result_out_of_range) {
-    throw LineError(shown(word) + " is out of the range of a double");
-  }
-  if (error != std::errc() || end != digits.data() + digits.size()) {
-    throw LineError(shown(word) + " is not a number");
-  }
-  if (!std::isfinite(value)) throw LineError(shown(word) + " is not finite");
-  return value;
+  const std::optional<double> value = text_encoding::parseNumber(word);
+  if (value) return *value;
+  throw LineError(shown(word) + " " + std::string(text_encoding::numberProblem(word)));
 }
 
 double coordinate(std::string_view word) {
@@ -196,8 +191,9 @@ Status readMore(int file, std::string& text) {
 Result<std::string> textOf(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (file < 0) {
-    return Status::invalidInput("cannot be read (" + std::generic_category().message(errno) +
-                                "); check path and permissions");
+    const std::string why = std::generic_category().message(errno);
+    return Status::invalidInput(
+        file_opening::notOpened("cannot be read (" + why + "); check path and permissions"));
   }
   struct stat state {};
   std::string text;

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <optional>
 
+#include "open_files.hpp"
+
 namespace tolman::host {
 namespace {
 
@@ -68,7 +70,9 @@ OrRefusal<std::string> readElfSection(const std::filesystem::path& file, std::st
   BoundedFile elf(file);
   if (!elf.readable()) {
     return Refusal{"plugin/unreadable", file.string() + " cannot be read",
-                   "check that the file exists, and its permissions"};
+                   file_opening::areDescriptorsShort(1)
+                       ? "allow more open files (`ulimit -n`)"
+                       : "check that the file exists, and its permissions"};
   }
   const auto magic = elf.read(0, SELFMAG);
   if (!magic || *magic != std::string_view(ELFMAG, SELFMAG)) {

@@ -57,12 +57,13 @@ std::vector<Finding> PairSurvey::findings() const {
   }
   if (pairs_ == 0) return {};
   if (rows_.size() < kMinMatches && brightest_ < kNearlyBlack) {
-    return {{Severity::Warning, "pairs",
-             fmt::format("only {} corners matched in {} pairs, too few to judge them: the images "
-                         "are nearly black, with no grey level above {} of 255; if their files "
-                         "have 16 bits of which the camera uses fewer, set bits, otherwise expose "
-                         "them longer",
-                         matches, pairs_, brightest_)}};
+    return {
+        {Severity::Warning, "pairs",
+         fmt::format("only {} corners matched in {} pairs, too few to judge them: the images "
+                     "are nearly black, with hardly any grey level above {} of 255; if their files "
+                     "have 16 bits of which the camera uses fewer, set bits, otherwise expose "
+                     "them longer",
+                     matches, pairs_, brightest_)}};
   }
   if (rows_.size() < kMinMatches) {
     return {{Severity::Warning, "pairs",

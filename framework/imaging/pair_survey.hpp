@@ -22,7 +22,7 @@ class PairSurvey {
 
  private:
   int pairs_ = 0;
-  int brightest_ = 0;         ///< grey level of the left images
+  int brightest_ = 0;         ///< grey level of the left images, see brightest()
   std::vector<double> rows_;  ///< right minus left, px, of all matched corners
   int exchanged_ = 0;         ///< number of them that are further right in the right image
   int mirrored_ = 0;          ///< corners matched in the mirrored right image

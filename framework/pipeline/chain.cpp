@@ -321,9 +321,8 @@ void Chain::completeCounters() {
          "frames were dropped: the .kitti files repeat the pose before them, the .tum "
          "files leave them out"});
   }
-  if (counters_.neverTracked()) {
-    listener_.onEvent(
-        {-1, LogLevel::Warning, "odometry", std::string(counters_.neverTrackedText())});
+  if (const std::string_view cause = counters_.endText(); !cause.empty()) {
+    listener_.onEvent({-1, LogLevel::Warning, "odometry", std::string(cause)});
   }
 }
 

@@ -12,9 +12,14 @@ inline constexpr std::string_view kNeverTracked =
     "`tolman dataset check`";
 
 inline constexpr std::string_view kNearlyBlack =
-    "no motion in the whole run: the images are nearly black, with no grey level above 63 of 255; "
+    "no motion in the whole run: the images are nearly black, with hardly any grey level above 63; "
     "if their files have 16 bits of which the camera uses fewer, set source.bits, see log.txt; "
     "otherwise expose them longer";
+
+inline constexpr std::string_view kLostInTheDark =
+    "odometry was lost at the end: most images without tracking are nearly black, with hardly any "
+    "grey level above 63; if their files have 16 bits of which the camera uses fewer, set "
+    "source.bits, see log.txt; otherwise expose them longer";
 
 inline constexpr std::string_view kOneFrame =
     "no motion in the whole run: it has one frame, and motion is found between two; take more";
@@ -77,6 +82,12 @@ struct RunCounters {
     if (2 * impossible > frames) return kMostlyImpossible;
     if (2 * nearly_black > frames) return kNearlyBlack;
     return unmoved > 0 ? kStoodStill : kNeverTracked;
+  }
+  /// The same also for a run that tracked and was lost at its end; empty if no cause is known.
+  std::string_view endText() const {
+    if (neverTracked()) return neverTrackedText();
+    const bool dark = lost_at_end && 2 * nearly_black > lost + initialising;
+    return dark ? kLostInTheDark : std::string_view();
   }
 };
 

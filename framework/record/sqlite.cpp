@@ -48,7 +48,7 @@ Status explained(const std::string& where, const SQLite::Exception& error) {
   const int code = error.getErrorCode();
   const bool write_failed = code == SQLITE_FULL || code == SQLITE_IOERR || code == SQLITE_CANTOPEN;
   const bool damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
-  if (code == SQLITE_CANTOPEN && areDescriptorsShort()) {
+  if (code == SQLITE_CANTOPEN && areDescriptorsShort(kFilesOfDatabase)) {
     return Status::failed(where + ": " + error.what() + kMoreDescriptors);
   }
   return {damaged ? StatusCode::InvalidInput : StatusCode::Failed,

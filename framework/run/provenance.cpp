@@ -192,9 +192,7 @@ Json countersJson(const pipeline::RunCounters& counters) {
 void addOutcome(Json& json, const Outcome& outcome) {
   const pipeline::RunCounters& n = outcome.counters;
   json["ended"] = utcText(utcSeconds());
-  json["message"] = outcome.failure    ? outcome.failure->message
-                    : n.neverTracked() ? std::string(n.neverTrackedText())
-                                       : "";
+  json["message"] = outcome.failure ? outcome.failure->message : std::string(n.endText());
   if (outcome.failure) {
     json["failure"] = {{"kind", enumName(outcome.failure->kind)},
                        {"stage", outcome.failure->stage}};

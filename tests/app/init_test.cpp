@@ -140,6 +140,25 @@ TEST_CASE("init finds the unit of times, and tells times that cannot be used") {
   CHECK(contains(Written(folder.path() / "d").text, "stamps_in_names: true\n  stamps_unit: s\n"));
 }
 
+TEST_CASE("init names the file and line of a calibration that it could not use") {
+  const TemporaryFolder folder;
+  const fs::path recording = folder.path() / "drive";
+  cv::Mat image(60, 80, CV_8UC1);
+  for (const char* camera : {"image_0", "image_1"}) {
+    fs::create_directories(recording / camera);
+    for (int i = 0; i < 6; ++i) {
+      cv::randu(image, 0, 255);
+      cv::imwrite((recording / camera / fmt::format("{:06}.png", i)).string(), image);
+    }
+  }
+  std::ofstream(recording / "calib.txt")
+      << "P0: 70 0 40 0 0 70 30 0 0 0 1 0\nP1: 70 0 40 -3x 0 70 30 0 0 0 1 0\n";
+  const std::string text = Written(recording).text;
+  CHECK(contains(text,
+                 "#   - the calibration could not be used: " + (recording / "calib.txt").string() +
+                     ":2: '-3x' is no finite number; correct it"));
+}
+
 TEST_CASE("init writes a configuration for a video, which runs", "[data]") {
   const auto clip = dataOrSkip("kitti_clips/03_left");
   if (!clip) return;

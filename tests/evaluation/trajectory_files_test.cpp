@@ -89,14 +89,16 @@ TEST_CASE("broken trajectory files are refused with file and line") {
   CHECK(folder.tumRefusal("# nothing\n\n") == "poses.txt: holds no pose");
   CHECK(folder.tumRefusal("1 0 0 0 0 0 0 1\n2 0 0 0 0 0 1\n") ==
         "poses.txt:2: expected 8 numbers (stamp tx ty tz qx qy qz qw), found 7");
-  CHECK(folder.tumRefusal("1 0 nan 0 0 0 0 1\n") == "poses.txt:1: 'nan' is not finite");
+  CHECK(folder.tumRefusal("1 0 nan 0 0 0 0 1\n") == "poses.txt:1: 'nan' is no finite number");
   CHECK(folder.tumRefusal("1 0 1e999 0 0 0 0 1\n") ==
-        "poses.txt:1: '1e999' is out of the range of a double");
+        "poses.txt:1: '1e999' is too large for a double");
+  CHECK(folder.tumRefusal("1 0 1e-400 0 0 0 0 1\n") ==
+        "poses.txt:1: '1e-400' is too small for a double (write 0)");
   CHECK(folder.tumRefusal("1 0 1e300 0 0 0 0 1\n") ==
         "poses.txt:1: position '1e300' is too large; positions are metres");
   CHECK(folder.kittiRefusal("1 0 0 0 0 1 0 -1e300 0 0 1 0\n") ==
         "poses.txt:1: position '-1e300' is too large; positions are metres");
-  CHECK(folder.tumRefusal("1 0 12x 0 0 0 0 1\n") == "poses.txt:1: '12x' is not a number");
+  CHECK(folder.tumRefusal("1 0 12x 0 0 0 0 1\n") == "poses.txt:1: '12x' is no finite number");
   CHECK(folder.tumRefusal("2 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n") ==
         "poses.txt:2: the stamp does not increase; sort the file and remove duplicates");
   CHECK(folder.tumRefusal("1 0 0 0 0 0 0 0.5\n") ==

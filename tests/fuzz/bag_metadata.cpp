@@ -7,7 +7,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace tolman;
   const std::string text(fuzz::asText({data, size}));
   std::size_t letters = 0;
-  for (const std::string& name : ros_bag::filesInMetadata(text)) letters += name.size();
+  const ros_bag::BagMetadata metadata = ros_bag::parseMetadata(text);
+  for (const std::string& name : metadata.files) letters += name.size();
+  for (const auto& [name, of] : metadata.topics) letters += name.size() + of.type.size();
   fuzz::require(letters <= size, "names that do not stand in the text");
   return 0;
 }

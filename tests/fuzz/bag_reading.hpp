@@ -16,7 +16,7 @@ namespace tolman::fuzz {
 inline void readMessages(ros_bag::BagFile& bag, bool checked) {
   using Visited = std::pair<ros_bag::MessagePlace, std::vector<std::uint8_t>>;
   std::vector<Visited> visited;
-  std::vector<std::string> problems;
+  ros_bag::FileDamage damage;
   bag.visit(
       [&](const ros_bag::Topic&, std::int64_t, const ros_bag::MessagePlace& place,
           ros_bag::Bytes bytes) {
@@ -24,8 +24,8 @@ inline void readMessages(ros_bag::BagFile& bag, bool checked) {
         if (visited.size() < 50)
           visited.emplace_back(place, std::vector(bytes.begin(), bytes.end()));
       },
-      problems);
-  if (!problems.empty()) return;
+      damage);
+  if (!damage.problems.empty() || !damage.lost.empty()) return;
   for (const auto& [place, bytes] : visited) {
     const auto again = bag.read(place);
     require(again.isOk() || !checked, "a message that cannot be read again");

@@ -21,4 +21,15 @@ TEST_CASE("the brightest value is found wherever it is, in any channel") {
   const Image blue =
       Image::create(5, 4, PixelFormat::Bgr8, [](std::uint8_t* pixels) { pixels[3 * 19 + 2] = 99; });
   CHECK(brightest(blue) == 99);
+  CHECK(brightest(test::gray(3, 3, [](int, int) { return 0; })) == 0);
+}
+
+TEST_CASE("one in ten thousand pixels may be white in an image that is nearly black") {
+  const auto withWhite = [](int white) {
+    return test::gray(200, 100, [=](int x, int y) { return y == 0 && x < white ? 255 : 15; });
+  };
+  CHECK(brightest(withWhite(2)) == 15);
+  CHECK(isNearlyBlack(withWhite(2)));
+  CHECK(brightest(withWhite(3)) == 255);
+  CHECK_FALSE(isNearlyBlack(withWhite(3)));
 }

@@ -101,7 +101,7 @@ TEST_CASE("pairs that are nearly black are told as such, not as exchanged") {
   survey.add(frame);
   const std::vector<Finding> found = survey.findings();
   REQUIRE(found.size() == 1);
-  CHECK(found[0].message.find("nearly black, with no grey level above 3 of 255") !=
+  CHECK(found[0].message.find("nearly black, with hardly any grey level above 3 of 255") !=
         std::string::npos);
   CHECK(found[0].message.find("set bits") != std::string::npos);
   CHECK(found[0].message.find("exchanged") == std::string::npos);

@@ -60,6 +60,17 @@ TEST_CASE("images that are nearly black are named before their rectification is"
   CHECK(says(n, "are the images rectified"));
 }
 
+TEST_CASE("a run that is lost at its end among nearly black images says so") {
+  RunCounters n = counters(12, 1, 9);
+  n.nearly_black = 9;
+  CHECK(n.endText().empty());  // it tracks again
+  n.lost_at_end = true;
+  CHECK(n.endText().find("nearly black") != std::string_view::npos);
+  n.nearly_black = 5;  // of ten without tracking
+  CHECK(n.endText().empty());
+  CHECK(counters(10, 10, 0).endText() == counters(10, 10, 0).neverTrackedText());
+}
+
 TEST_CASE("every count is visited once, under its own name") {
   RunCounters n;
   n.impossible = 7;

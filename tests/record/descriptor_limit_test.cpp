@@ -2,15 +2,13 @@
 // Too few file descriptors are named as the cause, and run.json can be written nevertheless.
 #include "record/descriptor_limit.hpp"
 
-#include <sys/resource.h>
-
 #include <memory>
-#include <vector>
 
 #include "record/by_hand.hpp"
 #include "record/run_directory.hpp"
 #include "record/sqlite.hpp"
 #include "support/data.hpp"
+#include "support/few_descriptors.hpp"
 
 using namespace tolman;
 using namespace tolman::record;
@@ -18,47 +16,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// While it lives, no more than `left` files can be opened.
-class FewDescriptors {
- public:
-  explicit FewDescriptors(int left) {
-    REQUIRE(::getrlimit(RLIMIT_NOFILE, &before_) == 0);
-    const rlimit few{128, before_.rlim_max};
-    REQUIRE(::setrlimit(RLIMIT_NOFILE, &few) == 0);
-    for (int file = 0; file >= 0;) {
-      file = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-      if (file >= 0) held_.push_back(file);
-    }
-    for (int i = 0; i < left; ++i) release();
-  }
-  ~FewDescriptors() {
-    while (!held_.empty()) release();
-    ::setrlimit(RLIMIT_NOFILE, &before_);
-  }
-  FewDescriptors(const FewDescriptors&) = delete;
-  FewDescriptors& operator=(const FewDescriptors&) = delete;
-
- private:
-  void release() {
-    ::close(held_.back());
-    held_.pop_back();
-  }
-  rlimit before_{};
-  std::vector<int> held_;
-};
+using test::FewDescriptors;
 
 RunDirectoryOptions at(const fs::path& out) { return {"runs", "run", 1'767'268'800, out}; }
 
 }  // namespace
 
 TEST_CASE("a limit of open files is recognised, also with some left") {
-  CHECK_FALSE(areDescriptorsShort());
+  CHECK_FALSE(areDescriptorsShort(kFilesOfDatabase));
   for (const int left : {0, 3}) {
     const FewDescriptors few(left);
-    CHECK(areDescriptorsShort());
+    CHECK(areDescriptorsShort(kFilesOfDatabase));
   }
   const FewDescriptors enough(4);
-  CHECK_FALSE(areDescriptorsShort());
+  CHECK_FALSE(areDescriptorsShort(kFilesOfDatabase));
 }
 
 TEST_CASE("a database that cannot be opened for want of descriptors names the limit") {

@@ -47,6 +47,38 @@ std::string chunk(const std::string& records, const McapStyle& style) {
                        raw(static_cast<std::uint64_t>(packed.size())) + packed);
 }
 
+/// Numbers of messages by channel.
+using Counts = std::map<std::uint16_t, std::uint32_t>;
+
+/// The indices of the messages of a chunk; times and places of messages are not filled in.
+std::string chunkIndices(const Counts& counts) {
+  std::string bytes;
+  for (const auto& [id, count] : counts) {
+    bytes += record(7, raw(id) + prefixed(std::string(16 * count, '\0')));
+  }
+  return bytes;
+}
+
+std::string statistics(const Counts& counts) {
+  std::string pairs;
+  std::uint64_t all = 0;
+  for (const auto& [id, count] : counts) {
+    pairs += raw(id) + raw(std::uint64_t{count});
+    all += count;
+  }
+  return record(11, raw(all) + std::string(34, '\0') + prefixed(pairs));
+}
+
+std::string footer(std::uint64_t summary_at, const std::string& summary) {
+  if (summary.empty()) return record(2, std::string(20, '\0'));
+  const std::string kind_and_size = raw(std::uint8_t{2}) + raw(std::uint64_t{20});
+  const std::string numbers = raw(summary_at) + raw(std::uint64_t{0});
+  const std::string summed = summary + kind_and_size + numbers;
+  const auto sum =
+      crc32(0, reinterpret_cast<const Bytef*>(summed.data()), static_cast<uInt>(summed.size()));
+  return kind_and_size + numbers + raw(static_cast<std::uint32_t>(sum));
+}
+
 std::string declared(std::uint16_t id, const RosMessage& message, const McapStyle& style) {
   const std::string schema = raw(id) + prefixed(message.type) + prefixed("ros2msg") + prefixed("");
   const std::string channel =
@@ -120,21 +152,32 @@ std::string mcapBytes(const std::vector<RosMessage>& messages, const McapStyle& 
   const std::string magic = "\x89MCAP0\r\n";
   std::string bytes = magic + record(1, prefixed("ros2") + prefixed("test"));
   std::map<std::string, std::uint16_t> ids;
+  std::string declarations;
+  Counts all;
+  Counts in_chunk;
   std::string open;
   std::size_t count = 0;
+  const auto close = [&] {
+    bytes += style.chunks ? chunk(open, style) : open;
+    if (style.chunks && style.indexed) bytes += chunkIndices(in_chunk);
+    open.clear();
+    in_chunk.clear();
+  };
   for (const RosMessage& message : messages) {
     const auto [id, is_new] =
         ids.emplace(message.topic, static_cast<std::uint16_t>(ids.size() + 1));
     if (is_new) open += declared(id->second, message, style);
+    if (is_new) declarations += declared(id->second, message, style);
     open += record(5, raw(id->second) + raw(std::uint32_t{0}) + raw(message.log_ns) +
                           raw(message.log_ns) + message.bytes);
-    if (style.chunks && ++count % style.per_chunk == 0) {
-      bytes += chunk(open, style);
-      open.clear();
-    }
+    ++all[id->second];
+    ++in_chunk[id->second];
+    if (style.chunks && ++count % style.per_chunk == 0) close();
   }
-  if (!open.empty()) bytes += style.chunks ? chunk(open, style) : open;
-  return bytes + record(15, raw(std::uint32_t{0})) + record(2, std::string(20, '\0')) + magic;
+  if (!open.empty()) close();
+  bytes += record(15, raw(std::uint32_t{0}));
+  const std::string summary = style.indexed ? declarations + statistics(all) : "";
+  return bytes + summary + footer(bytes.size(), summary) + magic;
 }
 
 void writeBytes(const std::filesystem::path& file, const std::string& bytes) {
@@ -175,7 +218,7 @@ void writeDb3(const std::filesystem::path& file, const std::vector<RosMessage>& 
     sqlite3_step(insert);
     sqlite3_finalize(insert);
   }
-  execute(database, "COMMIT");
+  execute(database, "CREATE INDEX timestamp_idx ON messages (timestamp ASC); COMMIT");
   sqlite3_close(database);
 }
 

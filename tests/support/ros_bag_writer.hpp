@@ -97,6 +97,7 @@ struct McapStyle {
   std::size_t per_chunk = 3;  ///< messages
   bool sums = true;           ///< check sums of chunks
   std::string encoding = "cdr";
+  bool indexed = false;  ///< chunks are followed by indices, and the data by a summary
 };
 std::string mcapBytes(const std::vector<RosMessage>& messages, const McapStyle& style = {});
 void writeBytes(const std::filesystem::path& file, const std::string& bytes);

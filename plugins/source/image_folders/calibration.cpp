@@ -42,7 +42,8 @@ bool parseMatrix(const std::filesystem::path& file, const TextLine& line, Entry&
     const std::string_view field = fields[static_cast<std::size_t>(i) + 1];
     const std::optional<double> number = parseNumber(field);
     if (!number) {
-      inspection.error(file, line.number, inQuotes(field) + " is no finite number; correct it");
+      inspection.error(file, line.number,
+                       inQuotes(field) + " " + std::string(numberProblem(field)) + "; correct it");
       return false;
     }
     entry.P(i / 4, i % 4) = *number;

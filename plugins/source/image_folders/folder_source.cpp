@@ -17,12 +17,12 @@ Status FolderSource::configure(const Context& context) {
   sequence_ = {};
   left_warnings_ = {};
   right_warnings_ = {};
-  used_bits_ = {};
   log_ = &context.log;
   next_frame_ = 0;
   ready_ = load(context.parameters, parameters_, dataset_, inspection_);
   if (ready_.isOk()) ready_ = inspection_.status();
   if (!ready_.isOk()) return ready_;
+  used_bits_ = source_parameters::UsedBits(parameters_.bits);
   for (const Finding& warning : inspection_.findings()) {  // errors are in ready_
     context.log.warning(warning.where + ": " + warning.message);
   }
@@ -81,7 +81,7 @@ Status FolderSource::next(Frame& frame) {
   }
   Status status = readImages(index, frame);
   const bool is_last = next_frame_ == sequence_.size();
-  if (const auto warning = used_bits_.warning(parameters_.bits, is_last)) {
+  if (const auto warning = used_bits_.warning(is_last, next_frame_ - 1)) {
     log_->warning(dataset_.left.front().parent_path().string() + ": " + *warning);
   }
   const bool damaged = status.code() == StatusCode::InvalidInput;

@@ -188,20 +188,24 @@ void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings
 }
 
 void checkUsedBits(const ImageDataset& dataset, int bits, std::vector<Finding>& findings) {
-  source_parameters::UsedBits used;
-  int images = 0;
-  for (const fs::path& file : dataset.left) {
+  constexpr std::size_t kEach = source_parameters::UsedBits::kJudged;
+  source_parameters::UsedBits used(bits);
+  const std::size_t images = dataset.left.size();
+  std::optional<std::string> warning;
+  for (std::size_t i = 0; i < images && !warning; ++i) {
+    if (i >= kEach && i + kEach < images) continue;  // the first and the last ones
     ImageNotes notes;
     notes.values.widths.emplace();
+    const fs::path& file = dataset.left[i];
     if (!readImageFile(file, false, dataset.size(), bits, &notes).isOk()) continue;
-    if (notes.values.largest < 0) break;
+    if (notes.values.largest < 0) return;
     used.add(*notes.values.widths);
-    if (++images == source_parameters::UsedBits::kJudged) break;
+    warning = used.warning(i + 1 == images, static_cast<std::int64_t>(i));
   }
-  if (auto warning = used.warning(bits, true)) {
-    findings.push_back({Finding::Severity::Warning, dataset.left.front().parent_path().string(),
-                        std::move(*warning)});
-  }
+  if (!warning) warning = used.warning(true, static_cast<std::int64_t>(images) - 1);
+  if (!warning) return;
+  findings.push_back({Finding::Severity::Warning, dataset.left.front().parent_path().string(),
+                      std::move(*warning)});
 }
 
 }  // namespace tolman::image_folders

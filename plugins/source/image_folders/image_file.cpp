@@ -10,6 +10,7 @@
 
 #include "bytes.hpp"
 #include "jpeg_decoder.hpp"
+#include "open_files.hpp"
 #include "orientation.hpp"
 #include "png_chunks.hpp"
 
@@ -27,7 +28,7 @@ Status problem(std::string_view what) { return Status::invalidInput(std::string(
 /// Failure for a cause outside of the file: limits, memory, a failing disk. The image is not
 /// damaged, so on_corrupt does not apply.
 Status unread(int error) {
-  const bool descriptors = error == EMFILE || error == ENFILE;
+  const bool descriptors = file_opening::isDescriptorLimit(error);
   return Status::failed("cannot be read (" + std::generic_category().message(error) + "); " +
                         (descriptors ? "allow more open files (`ulimit -n`)"
                                      : "check its permissions, the disk and the memory"));

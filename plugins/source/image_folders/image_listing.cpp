@@ -11,6 +11,7 @@
 #include "exact_decimal.hpp"
 #include "image_name.hpp"
 #include "name_order.hpp"
+#include "open_files.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -162,7 +163,8 @@ std::vector<fs::path> findImages(const fs::path& folder, Inspection& inspection)
     if (isImage(file) && !hidden.leavesOut(file)) images.push_back(file);
   }
   if (failure) {
-    inspection.error(folder, "cannot be read (" + failure.message() + "); check the path");
+    inspection.error(folder, file_opening::notOpened("cannot be read (" + failure.message() +
+                                                     "); check the path"));
     return {};
   }
   hidden.report(folder, inspection);

@@ -2,6 +2,7 @@
 #include "image_name.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "exact_decimal.hpp"
 #include "unicode_digits.hpp"
@@ -40,13 +41,20 @@ int naturalOrder(std::string_view a, std::string_view b) {
   return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
 }
 
+void replaceAll(std::string& text, std::string_view what, char by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at)) {
+    text.replace(at, what.size(), 1, by);
+  }
+}
+
 /// Latin digits, '-' as minus sign, lower case, no blanks at the ends.
 std::string foldedName(std::string_view stem) {
-  constexpr std::string_view kMinus = "\xe2\x88\x92";  // U+2212 in UTF-8
+  // U+2212 (minus sign), U+2010, U+2011, U+2013 (hyphens, dash), U+FE63, U+FF0D in UTF-8
+  constexpr std::array<std::string_view, 6> kMinus = {"\xe2\x88\x92", "\xe2\x80\x90",
+                                                      "\xe2\x80\x91", "\xe2\x80\x93",
+                                                      "\xef\xb9\xa3", "\xef\xbc\x8d"};
   std::string name = withLatinDigits(stem);
-  for (std::size_t at = name.find(kMinus); at != std::string::npos; at = name.find(kMinus, at)) {
-    name.replace(at, kMinus.size(), "-");
-  }
+  for (const std::string_view minus : kMinus) replaceAll(name, minus, '-');
   std::ranges::transform(name, name.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
@@ -179,6 +187,27 @@ ImageName parseImageName(std::string_view stem, bool numeric) {
 bool naturalLess(std::string_view a, std::string_view b) {
   const int order = naturalOrder(a, b);
   return order != 0 ? order < 0 : a < b;
+}
+
+std::string withPlainSeparators(std::string_view stem) {
+  std::string plain = withLatinDigits(stem);
+  replaceAll(plain, "\xe2\x80\x99", '\'');  // U+2019, as Switzerland prints it
+  // U+00A0, U+2009, U+202F: blanks that do not break a line, as France prints them
+  for (const char* blank : {"\xc2\xa0", "\xe2\x80\x89", "\xe2\x80\xaf"}) {
+    replaceAll(plain, blank, ' ');
+  }
+  return plain;
+}
+
+std::string withSignsApart(std::string_view stem) {
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  std::string folded = foldedName(stem);
+  const std::size_t digit = folded.find_first_of("0123456789");
+  if (digit == std::string::npos) return folded;
+  const bool has_sign = digit > 0 && folded[digit - 1] == '-';
+  const std::size_t begin = digit - (has_sign ? 1 : 0);
+  if (begin > 0 && isLetter(folded[begin - 1])) folded.insert(begin, "_");
+  return folded;
 }
 
 std::string withoutThousands(std::string_view text, char separator) {

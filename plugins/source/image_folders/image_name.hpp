@@ -18,7 +18,8 @@ struct ImageName {
   bool has_version = false;  ///< has digits joined by more than one point, such as 1.2.3
 };
 
-/// Upper case counts as lower case, digits of other scripts as 0 to 9, U+2212 as '-', and blanks at
+/// Upper case counts as lower case, digits of other scripts as 0 to 9, U+2212 and other
+/// dashes as '-', and blanks at
 /// the ends do not count. If `numeric`, names that are one number as a whole may have an exponent
 /// without sign
 /// ("1e5").
@@ -27,6 +28,14 @@ ImageName parseImageName(std::string_view stem, bool numeric);
 /// Whether digits, that is whole numbers, and bytes are less: "image2" < "image10", "1.1" < "1.05".
 /// A total order.
 bool naturalLess(std::string_view a, std::string_view b);
+
+/// Latin digits, and the apostrophes and blanks that separate thousands in some countries as those
+/// of ASCII.
+std::string withPlainSeparators(std::string_view stem);
+
+/// As parseImageName() folds a name, with '_' between a letter and the first number with its sign:
+/// "t_-1.5" of "t-1.5", where parseImageName() finds a sign.
+std::string withSignsApart(std::string_view stem);
 
 /// The text without commas, or another `separator`, that may separate thousands: "1,024" becomes
 /// "1024", "1,5" stays.

@@ -57,9 +57,11 @@ bool separatesThousands(const std::vector<std::string>& stems, char separator) {
 /// The order if commas before three digits, or other separators, separate thousands; equal numbers
 /// as in `stems`.
 Indices byThousands(const std::vector<std::string>& stems) {
-  std::vector<std::string> without = stems;
-  for (const char separator : {',', '_', ' ', '\''}) {
-    if (separator != ',' && !separatesThousands(stems, separator)) continue;
+  std::vector<std::string> without;
+  for (const std::string& stem : stems) without.push_back(withPlainSeparators(stem));
+  const std::vector<std::string> plain = without;
+  for (const char separator : {',', '_', ' ', '\'', '.'}) {
+    if (separator != ',' && !separatesThousands(plain, separator)) continue;
     for (std::string& stem : without) stem = withoutThousands(stem, separator);
   }
   return sortedBy(stems.size(), [&](std::size_t a, std::size_t b) {
@@ -76,6 +78,20 @@ std::vector<ImageName> parseAll(const std::vector<std::string>& stems, bool hexa
   std::vector<ImageName> names;
   for (const std::string& stem : stems) names.push_back(parseImageName(stem, numeric));
   return names;
+}
+
+/// The order if a dash behind a letter is a sign where other names lack it ("t-1.5", "t0.5"); empty
+/// if there are no such names.
+Indices bySigns(const std::vector<std::string>& stems) {
+  std::vector<std::string> apart;
+  for (const std::string& stem : stems) apart.push_back(withSignsApart(stem));
+  const auto isNegative = [](const std::string& stem) {
+    const std::size_t digit = stem.find_first_of("0123456789");
+    return digit != std::string::npos && stem.substr(0, digit).ends_with("_-");
+  };
+  const auto negative = std::ranges::count_if(apart, isNegative);
+  if (negative == 0 || negative == std::ssize(apart)) return {};
+  return byNumbers(parseAll(apart, false));
 }
 
 std::optional<NameOrder::Pair> firstSame(const std::vector<ImageName>& names,
@@ -137,6 +153,8 @@ NameOrder orderNames(const std::vector<std::string>& stems) {
   order.indices = by_numbers ? numbers : natural;
   order.doubt = firstExchanged(order.indices, by_numbers ? natural : numbers);
   if (!order.doubt) order.doubt = firstExchanged(order.indices, byThousands(stems));
+  const Indices signs = bySigns(stems);
+  if (!order.doubt && !signs.empty()) order.doubt = firstExchanged(order.indices, signs);
   return order;
 }
 

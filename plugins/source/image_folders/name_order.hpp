@@ -9,7 +9,8 @@
 //   image of a series), or only some have digits joined by two points (1.2 and 1.2.3);
 // - otherwise the natural order.
 // It is also in doubt where commas before three digits may separate thousands, or where '_', a
-// blank or an apostrophe stands between digits of all names only as thousands are separated.
+// blank, an apostrophe or a point stands between digits of all names only as thousands are
+// separated, and where a dash behind a letter may be a sign that other names lack.
 #pragma once
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "exact_decimal.hpp"
+#include "open_files.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::image_folders {
@@ -66,7 +67,8 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
     if (text.back() == '\r') text.pop_back();
     lines.push_back({number, std::move(text)});
   }
-  if (!stream.eof()) inspection.error(file, "cannot be read; check its permissions");
+  if (!stream.eof())
+    inspection.error(file, file_opening::notOpened("cannot be read; check its permissions"));
   if (stream.eof() && lines.empty()) inspection.error(file, "is empty; restore it");
   if (!has_end && isCut(lines)) {
     inspection.error(file, "ends within line " + std::to_string(number) +
@@ -94,17 +96,10 @@ std::string inQuotes(std::string_view field) {
   return text + (field.size() > kMax ? "...'" : "'");
 }
 
-std::optional<double> parseNumber(std::string_view field) {
-  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
-  double number = 0;
-  const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), number);
-  const bool whole = failure == std::errc{} && end == field.data() + field.size();
-  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
 std::optional<std::int64_t> parseSeconds(std::string_view field, int digits_of_unit) {
   const std::optional<ExactDecimal> seconds = parseExactDecimal(field);
-  if (!seconds) return std::nullopt;
+  // Small times are rounded to whole nanoseconds, but one that no double holds is no time.
+  if (!seconds || !parseNumber(field)) return std::nullopt;
   const int length =
       seconds->point + digits_of_unit;  // digits before the point, counted in nanoseconds
   if (seconds->digits.empty() || length < 0) return 0;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "inspection.hpp"
+#include "number_text.hpp"
 
 namespace tolman::image_folders {
 
@@ -29,9 +30,8 @@ std::vector<std::string_view> splitFields(std::string_view line);
 /// A field in quotes for a message, shortened and made printable.
 std::string inQuotes(std::string_view field);
 
-/// The finite number in C notation, also with a leading plus, that is the whole field. Empty for
-/// one that a double cannot hold, such as 1e-400.
-std::optional<double> parseNumber(std::string_view field);
+using text_encoding::numberProblem;
+using text_encoding::parseNumber;
 
 /// Converts a decimal number, with or without exponent, to nanoseconds. Its unit is 10^-9 *
 /// 10^`digits` s: 9 for seconds, 0 for nanoseconds. The conversion is exact, then rounded half away

@@ -90,8 +90,8 @@ Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspecti
     const std::optional<double> number = parseNumber(field);
     if (!number) {
       inspection.error(file, line.number,
-                       inQuotes(field) +
-                           " is no finite number; correct the pose, or remove the file "
+                       inQuotes(field) + " " + std::string(numberProblem(field)) +
+                           "; correct the pose, or remove the file "
                            "to run without truth");
       return Eigen::Isometry3d::Identity();
     }

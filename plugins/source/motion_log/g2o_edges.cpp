@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "number_text.hpp"
+#include "open_files.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::motion_log {
@@ -25,40 +27,72 @@ Status badLine(const std::filesystem::path& file, int line, const std::string& w
   return Status::invalidInput(message);
 }
 
-std::optional<Edge> parseEdge(std::istringstream& fields, int line) {
-  Edge edge;
-  edge.line = line;
-  fields >> edge.from >> edge.to >> edge.motion.x >> edge.motion.y >> edge.motion.theta;
-  const auto isNear = [](double number) { return std::abs(number) <= kFarthest; };  // no NaN
-  const bool sound = fields && isNear(edge.motion.x) && isNear(edge.motion.y) &&
-                     isNear(edge.motion.theta) && edge.from >= 0 && edge.to >= 0 &&
-                     edge.from < kMaxIds && edge.to < kMaxIds;
-  return sound ? std::optional(edge) : std::nullopt;
+constexpr const char* kNeeded =
+    "needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it";
+
+/// What is wrong in a line.
+struct LineError {
+  std::string what;
+};
+
+double numberIn(const std::string& word, const char* otherwise) {
+  if (const std::optional<double> number = text_encoding::parseNumber(word)) return *number;
+  const std::string_view why = text_encoding::numberProblem(word);
+  if (why.find("small") == std::string_view::npos) throw LineError{otherwise};
+  throw LineError{"'" + word.substr(0, 24) + "' " + std::string(why) + "; correct it"};
 }
 
-/// The error in the information values in the rest of a line; empty if there is none. The values
-/// are not used, but the check detects lines that were cut within a number.
-std::string informationProblem(std::istringstream& fields) {
-  std::vector<std::string> rest;
-  for (std::string word; fields >> word;) rest.push_back(word);
-  if (rest.size() != 6) {
-    return "has " + std::to_string(rest.size()) +
-           " information values instead of six after dx dy dtheta; the file may be cut off";
-  }
+std::int64_t idIn(const std::string& word) {
+  std::istringstream digits(word);
+  std::int64_t id = -1;
+  const bool whole = digits >> id && digits.peek() == std::istringstream::traits_type::eof();
+  if (!whole || id < 0 || id >= kMaxIds) throw LineError{kNeeded};
+  return id;
+}
+
+double nearNumberIn(const std::string& word) {
+  const double number = numberIn(word, kNeeded);
+  if (std::abs(number) > kFarthest) throw LineError{kNeeded};
+  return number;
+}
+
+/// Checks the information values after the five fields of an edge. They are not used, but the check
+/// detects lines that were cut within a number.
+void checkInformation(const std::vector<std::string>& words) {
   std::array<double, 6> v{};  // upper triangle, row by row
+  if (words.size() != 5 + v.size()) {
+    throw LineError{"has " + std::to_string(words.size() - 5) +
+                    " information values instead of six after dx dy dtheta; the file may be cut "
+                    "off"};
+  }
   for (std::size_t i = 0; i < v.size(); ++i) {
-    std::istringstream word(rest[i]);
-    if (!(word >> v[i]) || word.peek() != std::istringstream::traits_type::eof()) {
-      return "has an information value that is no number; correct it";
-    }
+    v[i] = numberIn(words[5 + i], "has an information value that is no number; correct it");
   }
   const auto& [xx, xy, xt, yy, yt, tt] = v;
   const double minor = xx * yy - xy * xy;
   const double determinant =
       xx * (yy * tt - yt * yt) - xy * (xy * tt - yt * xt) + xt * (xy * yt - yy * xt);
-  if (xx > 0 && minor > 0 && determinant > 0) return "";
-  return "has information values that are no positive definite matrix; write 1 0 0 1 0 1 where it "
-         "is not known";
+  if (xx > 0 && minor > 0 && determinant > 0) return;
+  throw LineError{
+      "has information values that are no positive definite matrix; write 1 0 0 1 0 1 where it "
+      "is not known"};
+}
+
+/// An edge from the words after its tag. Throws LineError.
+Edge parseEdge(std::istringstream& fields, int line) {
+  std::vector<std::string> words;
+  for (std::string word; fields >> word;) words.push_back(word);
+  if (words.size() < 5) throw LineError{kNeeded};
+  Edge edge;
+  edge.line = line;
+  edge.from = idIn(words[0]);
+  edge.to = idIn(words[1]);
+  edge.motion = {nearNumberIn(words[2]), nearNumberIn(words[3]), nearNumberIn(words[4])};
+  if (std::abs(edge.motion.theta) > kMaxTurn) {
+    throw LineError{"turns by more than a full turn; dtheta is in radians, not degrees"};
+  }
+  checkInformation(words);
+  return edge;
 }
 
 /// Reads a line, without the byte order mark that some editors write before UTF-8.
@@ -79,7 +113,8 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
   if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + " is not a readable file; check the path");
+    return Status::invalidInput(file.string() + " " +
+                                file_opening::notOpened("is not a readable file; check the path"));
   }
   if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
     return Status::invalidInput(file.string() + ": " + problem);
@@ -94,19 +129,11 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
     if (tag != "EDGE_SE2") {
       return badLine(file, number, "is no EDGE_SE2; a motion log has planar edges only");
     }
-    const std::optional<Edge> edge = parseEdge(fields, number);
-    if (!edge) {
-      return badLine(
-          file, number,
-          "needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it");
+    try {
+      edges.push_back(parseEdge(fields, number));
+    } catch (const LineError& error) {
+      return badLine(file, number, error.what);
     }
-    if (std::abs(edge->motion.theta) > kMaxTurn) {
-      return badLine(file, number,
-                     "turns by more than a full turn; dtheta is in radians, not degrees");
-    }
-    const std::string problem = informationProblem(fields);
-    if (!problem.empty()) return badLine(file, number, problem);
-    edges.push_back(*edge);
   }
   return edges;
 }

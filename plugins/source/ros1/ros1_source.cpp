@@ -17,7 +17,7 @@ Status Ros1Source::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   log_ = &context.log;
-  used_bits_ = {};
+  used_bits_ = source_parameters::UsedBits(parameters_.bits);
   return ready_ = prepare(context);
 }
 
@@ -123,9 +123,9 @@ Status Ros1Source::convert(const std::string& topic, const std::string& type,
   ros_messages::DeepPixels deep{parameters_.bits};
   auto converted = ros_messages::convertImage(type, asMessage(arrived.message), parameters_.colour,
                                               size_, camera_->topics().left, deep);
-  used_bits_.add(deep.largest);
-  for (const auto& warning : {used_bits_.beyond(deep.largest, parameters_.bits),
-                              used_bits_.warning(parameters_.bits, false)}) {
+  used_bits_.add(deep.widths);
+  for (const auto& warning :
+       {used_bits_.beyond(deep.widths.largest()), used_bits_.warning(false, next_frame_ - 1)}) {
     if (warning) log_->warning(topic + ": " + *warning);
   }
   const Status status = converted.status();

@@ -61,6 +61,10 @@ std::vector<std::string> BagTopic::messageProblems(bool times_matter) const {
   std::vector<std::string> texts;
   const std::string name = topic.name + ": ";
   if (damaged > 0) texts.push_back(name + first_damaged + furtherText(damaged));
+  if (other_type > 0) {
+    texts.push_back(name + std::to_string(other_type) +
+                    " messages have another type or encoding than the first, " + topic.type);
+  }
   if (!times_matter) return texts;
   if (negative > 0) {
     texts.push_back(name + first_negative + " in its header, before 1970" + furtherText(negative) +
@@ -88,10 +92,7 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
       return Status(StatusCode::Cancelled, "reading was cancelled");
     }
   }
-  std::int64_t messages = 0;
-  for (const auto& [name, topic] : bag.topics_) messages += topic.messages;
-  const std::string missing = missingMessages(path, messages);
-  if (!missing.empty()) bag.problems_.push_back(missing);
+  bag.judgeCounts(path);
   for (auto& [name, topic] : bag.topics_) {
     useOneClock(topic);
     std::stable_sort(topic.index.begin(), topic.index.end(),
@@ -125,13 +126,14 @@ Status Bag::openFile(const std::filesystem::path& path) {
 
 void Bag::visit(std::size_t file, const Cancellation& cancellation) {
   constexpr std::size_t kMaxProblems = 20;
-  std::vector<std::string> problems;
+  FileDamage damage;
   files_[file]->visit(
       [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes bytes) {
         if (cancellation.requested()) throw Interruption();  // a bag may take many minutes
         add(topic, log_ns, {log_ns, file, place}, bytes);
       },
-      problems);
+      damage);
+  const std::vector<std::string>& problems = damage.problems;
   for (std::size_t i = 0; i < std::min(problems.size(), kMaxProblems); ++i) {
     problems_.push_back(paths_[file].string() + ": " + problems[i]);
   }
@@ -139,6 +141,45 @@ void Bag::visit(std::size_t file, const Cancellation& cancellation) {
     problems_.push_back(paths_[file].string() + ": has " +
                         std::to_string(problems.size() - kMaxProblems) + " more problems");
   }
+  for (const auto& [name, lost] : damage.lost) {
+    LostMessages& known = lost_[name];
+    known.topic = lost.topic;
+    known.messages += lost.messages;
+  }
+}
+
+/// Compares what was found with what metadata.yaml says, and tells what is lost.
+void Bag::judgeCounts(const std::filesystem::path& path) {
+  const BagMetadata metadata = metadataOf(path);
+  for (const auto& [name, of] : metadata.topics) {
+    const auto topic = topics_.find(name);
+    const std::int64_t found = topic == topics_.end() ? 0 : topic->second.messages;
+    if (of.messages <= found) continue;
+    LostMessages& lost = lost_[name];
+    if (lost.topic.name.empty()) lost.topic = {name, of.type, of.encoding};
+    lost.messages = std::max(lost.messages, of.messages - found);
+  }
+  // Then every lost message has its topic, also those that the files could not tell.
+  if (!metadata.topics.empty()) lost_.erase("");
+  std::int64_t found = 0;
+  for (const auto& [name, topic] : topics_) found += topic.messages;
+  std::int64_t all_lost = 0;
+  for (const auto& [name, lost] : lost_) {
+    all_lost += lost.messages;
+    if (name.empty()) continue;
+    BagTopic& topic = topics_[name];
+    if (topic.messages == 0) topic.topic = lost.topic;
+    topic.lost = lost.messages;
+  }
+  if (!lost_.empty()) {
+    problems_.push_back(path.string() + ": " + lostMessages() +
+                        " could not be read; copy the bag again, or use the others by on_corrupt: "
+                        "skip");
+  }
+  const std::string missing = missingMessages(path, metadata, found);
+  const bool is_told = metadata.messages && *metadata.messages <= found + all_lost;
+  if (!missing.empty() && !is_told) problems_.push_back(missing);
+  warnings_ = oddFiles(path, metadata, paths_);
 }
 
 void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message, Bytes bytes) {
@@ -151,6 +192,7 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
   known.bytes += bytes.size();
   known.first_ns = std::min(known.first_ns, log_ns);
   known.last_ns = std::max(known.last_ns, log_ns);
+  if (known.topic != topic) ++known.other_type;
   if (known.topic != topic || !isKnown(topic.encoding) || !isUsed(topic.type)) return;
   const std::optional<std::int64_t> stamp = headerStamp(known.message(bytes));
   if (!stamp) {

@@ -32,6 +32,8 @@ struct BagTopic {
   std::int64_t last_ns = 0;         ///< time of recording
   std::vector<std::uint8_t> first;  ///< the first undamaged message, for types that are used
   std::vector<BagMessage> index;    ///< sorted by stamp, for types that are used
+  std::int64_t lost = 0;            ///< messages that are in the bag, but could not be read
+  std::int64_t other_type = 0;      ///< messages of another type or encoding, which are not used
   std::int64_t without_stamp = 0;   ///< messages left out, because only others have a time
   std::int64_t damaged = 0;         ///< messages left out, because they end within their header
   std::string first_damaged;        ///< "message 2 (recorded at 5000000000 ns) is empty"
@@ -58,17 +60,25 @@ class Bag {
   const std::map<std::string, BagTopic>& topics() const { return topics_; }
   /// One text, with file and remedy, for each problem.
   const std::vector<std::string>& problems() const { return problems_; }
+  /// One text, with file and remedy, for what is odd, but no damage.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// "12 messages of /left and 3 messages of topics that are not known"; empty if none is known to
+  /// be lost. Of recordings that were cut off it is not known how many are.
+  std::string lostMessages() const { return lostText(lost_); }
   Result<std::vector<std::uint8_t>> read(const BagMessage& message);
 
  private:
   Status openFile(const std::filesystem::path& path);
   void visit(std::size_t file, const Cancellation& cancellation);
+  void judgeCounts(const std::filesystem::path& path);
   void add(const Topic& topic, std::int64_t log_ns, const BagMessage& message, Bytes bytes);
 
   std::vector<std::filesystem::path> paths_;
   std::vector<std::unique_ptr<BagFile>> files_;
   std::map<std::string, BagTopic> topics_;
+  std::map<std::string, LostMessages> lost_;  ///< of all files
   std::vector<std::string> problems_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace tolman::ros_bag

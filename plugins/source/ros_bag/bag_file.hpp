@@ -4,27 +4,15 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "file_damage.hpp"
 #include "message.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::ros_bag {
 
 using namespace ros_messages;  // the bytes of a bag are theirs
-
-inline constexpr std::string_view kCdrEncoding = "cdr";
-inline constexpr std::string_view kRos1Encoding = "ros1";
-
-struct Topic {
-  std::string name;
-  std::string type;      ///< in the notation of ROS 2: "sensor_msgs/msg/Image"
-  std::string encoding;  ///< of the messages: "cdr" (ROS 2) or "ros1"
-  bool operator==(const Topic&) const = default;
-};
 
 /// Place of a message in its file.
 struct MessagePlace {
@@ -41,9 +29,8 @@ using MessageVisitor =
 class BagFile {
  public:
   virtual ~BagFile() = default;
-  /// Visits all messages that can be read. For the others `problems` gets one text each, with a
-  /// remedy and without the name of the file.
-  virtual void visit(const MessageVisitor& visitor, std::vector<std::string>& problems) = 0;
+  /// Visits all messages that can be read. What cannot be is added to `damage`.
+  virtual void visit(const MessageVisitor& visitor, FileDamage& damage) = 0;
   /// Reads the bytes of a visited message again.
   virtual Result<std::vector<std::uint8_t>> read(const MessagePlace& place) = 0;
 };

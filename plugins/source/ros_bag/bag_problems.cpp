@@ -15,6 +15,32 @@ std::string endsWithin(std::uint64_t at) { return "ends within the record" + atB
 
 std::string hasNoEnd(std::uint64_t at) { return "has no end" + atByte(at) + kCutOff; }
 
+std::string endsEarly(std::uint64_t at) {
+  return "has a damaged record" + atByte(at) +
+         ", which ends the messages before the index begins; copy the file again, or use what is "
+         "before it by on_corrupt: skip";
+}
+
+std::string badIndex(std::string_view why) {
+  return "the index at its end " + std::string(why) +
+         ", so it is not known whether messages are missing; copy the file again, or use what is "
+         "there by on_corrupt: skip";
+}
+
+std::string leftOut(const std::string& what) {
+  return what + "; copy the bag again, or leave such messages out by on_corrupt: skip";
+}
+
+std::string beforeEpoch(const std::string& what, std::int64_t log_ns) {
+  return what + " was recorded at " + std::to_string(log_ns) + " ns, before 1970";
+}
+
+std::string wrongClock(const std::string& first) {
+  return first +
+         ": the clock was wrong; correct the times of recording, or leave such messages out by "
+         "on_corrupt: skip";
+}
+
 std::string cannotBeRead(std::uint64_t at) {
   return "cannot be read" + atByte(at) + "; check the disk";
 }

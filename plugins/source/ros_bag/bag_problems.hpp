@@ -13,6 +13,16 @@ std::string atByte(std::uint64_t at);
 std::string endsWithin(std::uint64_t at);
 /// The file ends at `at`, between two records, without its last record.
 std::string hasNoEnd(std::uint64_t at);
+/// What follows the last message, from `at` on, is not what the format demands there.
+std::string endsEarly(std::uint64_t at);
+/// The index at the end of the file is missing or damaged. `why`: "does not match its check sum".
+std::string badIndex(std::string_view why);
+/// `what`: "has a damaged message at byte 7, and 3 more like it"
+std::string leftOut(const std::string& what);
+/// "WHAT was recorded at -5 ns, before 1970"
+std::string beforeEpoch(const std::string& what, std::int64_t log_ns);
+/// `first`: "message 3 was recorded at -5 ns, before 1970".
+std::string wrongClock(const std::string& first);
 std::string cannotBeRead(std::uint64_t at);
 /// `what`: "a damaged message".
 std::string hasPart(std::string_view what, std::uint64_t at);

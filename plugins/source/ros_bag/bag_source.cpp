@@ -29,6 +29,7 @@ std::string summary(const BagTopic& topic) {
     text += " at " + shortNumber(static_cast<double>(topic.messages - 1) / seconds) + " Hz";
   }
   text += ", " + shortNumber(static_cast<double>(topic.bytes) * 1e-6) + " MB";
+  if (topic.lost > 0) text += ", " + std::to_string(topic.lost) + " more could not be read";
   if (topic.topic.encoding != kCdrEncoding) text += ", encoded as '" + topic.topic.encoding + "'";
   const auto size =
       topic.first.empty() || (topic.topic.type != kImage && topic.topic.type != kCompressedImage)
@@ -58,7 +59,7 @@ Status BagSource::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   log_ = &context.log;
-  used_bits_ = {};
+  used_bits_ = source_parameters::UsedBits(parameters_.bits);
   return ready_ = prepare(context);
 }
 
@@ -124,6 +125,7 @@ std::int64_t BagSource::imageStampNs(std::int64_t source_index) const {
 
 Status BagSource::judgeProblems(Logger& log) const {
   const std::vector<std::string>& problems = bag_->problems();
+  for (const std::string& warning : bag_->warnings()) log.warning(warning);
   if (problems.empty()) return Status::ok();
   if (parameters_.on_corrupt == OnCorrupt::Skip) {
     for (const std::string& problem : problems) log.warning(withoutAdvice(problem) + kAreLeftOut);
@@ -159,9 +161,14 @@ Status BagSource::judgeTopics(Logger& log) const {
   for (const std::string& problem : problems) log.warning(problem + kWithoutThem);
   const bool given = parameters_.isGiven();  // then CameraInfo is not used
   for (const BagTopic* topic :
-       {chosen_.left, chosen_.right, chosen_.imu, chosen_.odometry,
+       {chosen_.left, chosen_.right, chosen_.depth, chosen_.imu, chosen_.odometry,
         given ? nullptr : chosen_.left_info, given ? nullptr : chosen_.right_info}) {
-    if (topic == nullptr || topic->damaged < topic->messages) continue;
+    if (topic == nullptr || !topic->index.empty()) continue;
+    if (topic->damaged == 0) {
+      return Status::invalidInput(
+          topic->topic.name + ": none of its " + std::to_string(topic->lost) +
+          " messages could be read; copy the bag again, or record it again");
+    }
     return Status::invalidInput(topic->topic.name + ": " + topic->first_damaged +
                                 ", and so is every other; record it again");
   }
@@ -223,6 +230,10 @@ Status BagSource::makeSequence(Logger& log) {
     log.warning(parameters_.path + ": " + std::to_string(table_.left_alone) + " images of " +
                 chosen_.left->topic.name + " have no right one within the tolerance");
   }
+  if (table_.right_alone > 0) {
+    log.warning(parameters_.path + ": " + std::to_string(table_.right_alone) + " images of " +
+                chosen_.right->topic.name + " have no left one within the tolerance");
+  }
   std::vector<std::int64_t> stamps;
   for (const FrameRow& row : table_.rows) stamps.push_back(chosen_.left->index[row.left].stamp_ns);
   Result<FrameSequence> sequence = FrameSequence::make(parameters_, stamps);
@@ -246,6 +257,8 @@ Status BagSource::info(SourceInfo& info) {
                      (pair ? " and " + chosen_.right->topic.name : "") + ", " +
                      std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px";
   info.description += rigs_.suffix();
+  const std::string lost = bag_->lostMessages();
+  if (!lost.empty()) info.description += "; " + lost + " could not be read";
   info.rig = rigs_.rectified;
   info.frames = sequence_.size();
   return Status::ok();
@@ -274,7 +287,7 @@ Status BagSource::next(Frame& frame) {
 
 void BagSource::tellUsedBits() {
   const bool is_last = next_frame_ == sequence_.size();
-  if (const auto warning = used_bits_.warning(parameters_.bits, is_last)) {
+  if (const auto warning = used_bits_.warning(is_last, next_frame_ - 1)) {
     log_->warning(parameters_.path + ": " + chosen_.left->topic.name + ": " + *warning);
   }
 }
@@ -296,8 +309,8 @@ Status BagSource::readImage(const BagTopic& topic, std::size_t index, Image& ima
                                   parameters_.colour, size_, chosen_.left->topic.name, deep)
                    : Result<Image>(bytes.status());
   const Status status = converted.status();
-  used_bits_.add(deep.largest);
-  if (const auto warning = used_bits_.beyond(deep.largest, parameters_.bits)) {
+  used_bits_.add(deep.widths);
+  if (const auto warning = used_bits_.beyond(deep.widths.largest())) {
     log_->warning(parameters_.path + ": image " + std::to_string(index) + " of " +
                   topic.topic.name + " " + *warning);
   }
@@ -374,6 +387,9 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
   const bool skip = parameters_.on_corrupt == OnCorrupt::Skip;
   if (bag_) {
     inspectTopics(findings);
+    for (const std::string& warning : bag_->warnings()) {
+      findings.push_back({Severity::Warning, "", warning});
+    }
     for (const std::string& problem : bag_->problems()) {
       if (skip) findings.push_back({Severity::Warning, "", withoutAdvice(problem) + kAreLeftOut});
       if (!skip) findings.push_back({Severity::Error, "", problem});
@@ -394,6 +410,11 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
     findings.push_back({Severity::Warning, chosen_.left->topic.name,
                         std::to_string(table_.left_alone) +
                             " images have no right one within the tolerance; set tolerance"});
+  }
+  if (table_.right_alone > 0) {
+    findings.push_back({Severity::Warning, chosen_.right->topic.name,
+                        std::to_string(table_.right_alone) +
+                            " images have no left one within the tolerance; set tolerance"});
   }
   for (const std::string& problem : odometry_problems_) {
     findings.push_back({Severity::Warning, "", problem});

@@ -62,6 +62,7 @@ Result<FrameTable> makeFrameTable(const BagTopic& left, const BagTopic* right,
     }
     table.rows.push_back({l, right == nullptr ? 0 : *pairs[l], depths[l]});
   }
+  if (right != nullptr) table.right_alone = right->index.size() - table.rows.size();
   if (!table.rows.empty()) return table;
   const double apart_s = static_cast<double>(smallestDistance(left.index, right->index)) * 1e-9;
   return Status::invalidInput("no image of " + right->topic.name + " has the stamp of one of " +

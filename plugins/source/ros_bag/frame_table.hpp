@@ -20,8 +20,9 @@ struct FrameRow {
 };
 
 struct FrameTable {
-  std::vector<FrameRow> rows;  ///< by the stamp of the left image
-  std::size_t left_alone = 0;  ///< number of left images without a right one, which are left out
+  std::vector<FrameRow> rows;   ///< by the stamp of the left image
+  std::size_t left_alone = 0;   ///< number of left images without a right one, which are left out
+  std::size_t right_alone = 0;  ///< number of right images without a left one
 };
 
 /// For each message of `left` the one of `others` with the nearest stamp, if within the tolerance;

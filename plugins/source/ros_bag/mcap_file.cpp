@@ -7,22 +7,12 @@
 
 #include "bag_problems.hpp"
 #include "compression.hpp"
+#include "mcap_index.hpp"
 
 namespace tolman::ros_bag {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
-constexpr std::uint64_t kRecordHeader = 9;  // kind, then length of the contents
-
-enum RecordKind : std::uint8_t {
-  kFooter = 2,
-  kSchema = 3,
-  kChannel = 4,
-  kMessage = 5,
-  kChunk = 6,
-  kDataEnd = 15,
-};
-
 }  // namespace
 
 bool McapFile::isMcap(FileBytes& file) {
@@ -30,56 +20,74 @@ bool McapFile::isMcap(FileBytes& file) {
   return file.read(0, start) && start == kMagic;
 }
 
-void McapFile::visit(const MessageVisitor& visitor, std::vector<std::string>& problems) {
-  Scan scan{visitor, problems, {}, {}};
+void McapFile::visit(const MessageVisitor& visitor, FileDamage& damage) {
+  McapIndex index = readMcapIndex(file());
+  Scan scan{visitor, damage, std::move(index.types), std::move(index.topics), {}, {}, {}};
+  for (const auto& [channel, messages] : index.messages) scan.counts.indexFile(channel, messages);
+  const std::optional<std::uint64_t> end = visitRecords(scan);
+  if (end && !index.problem.empty()) {
+    damage.problems.push_back(badIndex(index.problem));
+  } else if (end && *end != index.begin) {
+    damage.problems.push_back(endsEarly(*end));
+  }
+  if (scan.damaged.count() > 0) damage.problems.push_back(leftOut(scan.damaged.text()));
+  if (scan.wrong_clock.count() > 0) damage.problems.push_back(wrongClock(scan.wrong_clock.text()));
+  scan.counts.visitMissing([&](std::uint32_t channel, std::int64_t messages) {
+    const auto topic = scan.topics.find(static_cast<std::uint16_t>(channel));
+    damage.lose(topic == scan.topics.end() ? Topic() : topic->second, messages);
+  });
+}
+
+/// Visits the records up to the end of the data; the place behind them, or nothing if they were cut
+/// off, which is reported.
+std::optional<std::uint64_t> McapFile::visitRecords(Scan& scan) {
+  Problems& problems = scan.damage.problems;
   std::uint64_t at = kMagic.size();
   while (true) {
-    std::array<std::uint8_t, kRecordHeader> header{};
+    std::array<std::uint8_t, kMcapRecordHeader> header{};
     if (!file().read(at, header)) {
       problems.push_back(hasNoEnd(at));
-      return;
+      return std::nullopt;
     }
     const std::uint8_t kind = header[0];
     const std::uint64_t size = ByteReader(Bytes(header).subspan(1)).number<std::uint64_t>();
-    if (kind == kDataEnd || kind == kFooter) return;  // what follows is the index
-    at += kRecordHeader;
-    const bool used = kind >= kSchema && kind <= kChunk;
+    if (kind == kMcapFooter) return at;
+    at += kMcapRecordHeader;
+    const bool used = kind >= kMcapSchema && kind <= kMcapMessageIndex;
     if (used) {
-      const std::optional<Contents> contents = readBytes(at, size, at - kRecordHeader, problems);
-      if (!contents) return;
+      const std::optional<Contents> contents =
+          readBytes(at, size, at - kMcapRecordHeader, problems);
+      if (!contents) return std::nullopt;
       visitRecord(kind, *contents, 0, at, scan);
     } else if (size > file().size() - at) {
-      problems.push_back(endsWithin(at - kRecordHeader));
-      return;
+      problems.push_back(endsWithin(at - kMcapRecordHeader));
+      return std::nullopt;
     }
     at += size;
+    if (kind == kMcapDataEnd) return at;  // what follows is the index
   }
 }
 
 void McapFile::visitRecord(std::uint8_t kind, Bytes contents, std::uint64_t chunk, std::uint64_t at,
                            Scan& scan) {
   ByteReader fields(contents);
-  if (kind == kSchema) {
-    const auto id = fields.number<std::uint16_t>();
-    const std::string name(fields.text());
-    if (fields.ok()) scan.types[id] = name;
-  } else if (kind == kChannel) {
-    const auto id = fields.number<std::uint16_t>();
-    const auto schema = fields.number<std::uint16_t>();
-    const std::string name(fields.text());
-    const std::string encoding(fields.text());
-    const auto type = scan.types.find(schema);
-    if (fields.ok()) {
-      scan.topics[id] = {name, type == scan.types.end() ? "" : type->second, encoding};
-    }
-  } else if (kind == kMessage) {
+  bool agrees = true;
+  if (kind == kMcapSchema) {
+    takeSchema(fields, scan.types);
+  } else if (kind == kMcapChannel) {
+    agrees = takeChannel(fields, scan.types, scan.topics);
+  } else if (kind == kMcapMessage) {
     return visitMessage(contents, chunk, at, scan);
-  } else if (kind == kChunk && chunk == 0) {
+  } else if (kind == kMcapChunk && chunk == 0) {
     return visitChunk(contents, at, scan);
+  } else if (kind == kMcapMessageIndex && chunk == 0) {
+    const auto channel = fields.number<std::uint16_t>();
+    constexpr std::int64_t kEntry = 16;  // bytes; time and place of a message
+    const std::int64_t messages = fields.number<std::uint32_t>() / kEntry;
+    if (fields.ok()) scan.counts.indexChunk(channel, messages);
   }
-  if (!fields.ok()) {
-    scan.problems.push_back(hasPart("a damaged record", at));
-  }
+  if (!fields.ok()) scan.damage.problems.push_back(hasPart("a damaged record", at));
+  if (!agrees) scan.damage.problems.push_back(hasPart("a topic that changes its name or type", at));
 }
 
 void McapFile::visitMessage(Bytes contents, std::uint64_t chunk, std::uint64_t at, Scan& scan) {
@@ -89,12 +97,20 @@ void McapFile::visitMessage(Bytes contents, std::uint64_t chunk, std::uint64_t a
   const auto log_ns = fields.number<std::int64_t>();
   fields.number<std::int64_t>();  // time of sending
   const auto topic = scan.topics.find(channel);
-  if (!fields.ok() || topic == scan.topics.end() || log_ns < 0) {
-    scan.problems.push_back(hasPart("a damaged message", chunk == 0 ? at : chunk));
-    return;
+  const std::string place = atByte(chunk == 0 ? at : chunk);
+  if (!fields.ok() || topic == scan.topics.end()) {
+    scan.damaged.add([&] { return "has a damaged message" + place; });
+    if (!fields.ok()) return;
+    scan.counts.find(channel);
+    return scan.damage.lose({}, 1);
   }
-  const MessagePlace place{chunk, at + fields.at(), fields.left()};
-  scan.visitor(topic->second, log_ns, place, contents.subspan(fields.at()));
+  scan.counts.find(channel);
+  if (log_ns < 0) {
+    scan.wrong_clock.add([&] { return beforeEpoch("the message" + place, log_ns); });
+    return scan.damage.lose(topic->second, 1);
+  }
+  const MessagePlace bytes{chunk, at + fields.at(), fields.left()};
+  scan.visitor(topic->second, log_ns, bytes, contents.subspan(fields.at()));
 }
 
 Result<McapFile::Contents> McapFile::unpack(Bytes contents) {
@@ -125,7 +141,7 @@ Result<McapFile::Contents> McapFile::unpack(Bytes contents) {
 void McapFile::visitChunk(Bytes contents, std::uint64_t at, Scan& scan) {
   const Result<Contents> records = unpack(contents);
   if (!records.isOk()) {
-    scan.problems.push_back(badChunk(at, records.status().message()));
+    scan.damage.problems.push_back(badChunk(at, records.status().message()));
     return;
   }
   ByteReader fields(records.value());
@@ -135,7 +151,7 @@ void McapFile::visitChunk(Bytes contents, std::uint64_t at, Scan& scan) {
     const std::size_t begin = fields.at();
     const Bytes record = fields.take(size);
     if (!fields.ok()) {
-      scan.problems.push_back(chunkEndsWithin(at));
+      scan.damage.problems.push_back(chunkEndsWithin(at));
       return;
     }
     visitRecord(kind, record, at, begin, scan);
@@ -143,11 +159,12 @@ void McapFile::visitChunk(Bytes contents, std::uint64_t at, Scan& scan) {
 }
 
 Result<McapFile::Contents> McapFile::readChunk(std::uint64_t at) {
-  std::array<std::uint8_t, kRecordHeader> header{};
-  if (!file().read(at - kRecordHeader, header)) return Status::invalidInput("has become shorter");
+  std::array<std::uint8_t, kMcapRecordHeader> header{};
+  if (!file().read(at - kMcapRecordHeader, header))
+    return Status::invalidInput("has become shorter");
   Problems problems;
   const auto size = ByteReader(Bytes(header).subspan(1)).number<std::uint64_t>();
-  const std::optional<Contents> contents = readBytes(at, size, at - kRecordHeader, problems);
+  const std::optional<Contents> contents = readBytes(at, size, at - kMcapRecordHeader, problems);
   if (!contents) return Status::invalidInput(problems.front());
   return unpack(*contents);
 }

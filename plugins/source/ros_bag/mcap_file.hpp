@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A bag in the MCAP container (mcap.dev): records of a type, a length and contents; messages are
-// single records or in compressed chunks. The file is read from start to end without the index at
-// the end, so that interrupted recordings can be read.
+// single records or in compressed chunks. The file is read from start to end, so that interrupted
+// recordings can be read; indices, where they are, tell which messages are missing.
 #pragma once
 
-#include <map>
-#include <string>
+#include <optional>
 #include <utility>
 
 #include "chunked_file.hpp"
+#include "mcap_index.hpp"
+#include "message_counts.hpp"
 
 namespace tolman::ros_bag {
 
@@ -18,16 +19,20 @@ class McapFile final : public ChunkedFile {
   /// Whether the file begins as an MCAP file does.
   static bool isMcap(FileBytes& file);
 
-  void visit(const MessageVisitor& visitor, std::vector<std::string>& problems) override;
+  void visit(const MessageVisitor& visitor, FileDamage& damage) override;
 
  private:
   struct Scan {
     const MessageVisitor& visitor;
-    Problems& problems;
-    std::map<std::uint16_t, std::string> types;  ///< by the number of the schema
-    std::map<std::uint16_t, Topic> topics;       ///< by the number of the channel
+    FileDamage& damage;
+    McapTypes types;
+    McapTopics topics;
+    MessageCounts counts;  ///< by the number of the channel
+    Repeated damaged;      ///< messages
+    Repeated wrong_clock;  ///< messages
   };
 
+  std::optional<std::uint64_t> visitRecords(Scan& scan);
   /// `chunk`: start of the chunk whose record this is, 0 for none; `at`: start of the contents.
   void visitRecord(std::uint8_t kind, Bytes contents, std::uint64_t chunk, std::uint64_t at,
                    Scan& scan);

@@ -2,28 +2,19 @@
 #include "metadata_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
-#include <sstream>
-#include <string_view>
+#include <optional>
+#include <set>
 #include <system_error>
 
+#include "open_files.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::ros_bag {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  const bool quoted = text.size() >= 2 && text.front() == text.back() &&
-                      (text.front() == '"' || text.front() == '\'');
-  return quoted ? text.substr(1, text.size() - 2) : text;
-}
 
 bool isBagName(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -47,49 +38,74 @@ std::string readText(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The number at the end of "drive_12.mcap.zstd"; empty without one.
+std::optional<int> partNumber(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::string stem = name.substr(0, name.find('.', name.rfind('_') + 1));
+  const std::string digits = stem.substr(stem.rfind('_') + 1);
+  constexpr std::size_t kMost = 4;  // longer ones are dates
+  if (digits == stem || digits.empty() || digits.size() > kMost) return std::nullopt;
+  if (digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return std::stoi(digits);
+}
+
+/// A warning for numbers that are missing between those of several files.
+std::vector<std::string> missingParts(const std::vector<fs::path>& files) {
+  std::set<int> numbers;
+  for (const fs::path& file : files) {
+    const std::optional<int> number = partNumber(file);
+    if (!number || !numbers.insert(*number).second) return {};
+  }
+  if (numbers.size() < 2) return {};
+  int expected = 0;
+  while (numbers.contains(expected)) ++expected;
+  if (expected == static_cast<int>(numbers.size())) return {};
+  return {files.front().parent_path().string() + ": part " + std::to_string(expected) +
+          " of the recording is missing, while there are others up to " +
+          std::to_string(*numbers.rbegin()) + "; copy the whole folder of the bag"};
+}
+
 }  // namespace
 
-std::vector<std::string> filesInMetadata(const std::string& text) {
-  std::vector<std::string> files;
-  std::istringstream lines(text);
-  bool in_list = false;
-  for (std::string line; std::getline(lines, line);) {
-    const std::string_view entry = trimmed(line);
-    if (entry == "relative_file_paths:") {
-      in_list = true;
-    } else if (in_list && entry.starts_with("- ")) {
-      files.emplace_back(trimmed(entry.substr(2)));
-    } else if (in_list && !entry.empty()) {
-      break;
-    }
-  }
-  return files;
-}
-
-std::optional<std::int64_t> messagesInMetadata(const std::string& text) {
-  constexpr std::string_view kKey = "message_count:";  // the first one; later ones are of topics
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string_view entry = trimmed(line);
-    if (!entry.starts_with(kKey)) continue;
-    const std::string_view digits = trimmed(entry.substr(kKey.size()));
-    std::int64_t count = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-    if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-    return count;
-  }
-  return std::nullopt;
-}
-
-std::string missingMessages(const fs::path& path, std::int64_t messages) {
+BagMetadata metadataOf(const fs::path& path) {
   std::error_code ignored;
-  if (!fs::is_directory(path, ignored)) return "";
-  const fs::path file = path / "metadata.yaml";
-  const std::optional<std::int64_t> said = messagesInMetadata(readText(file));
-  if (!said || *said <= messages) return "";
-  return file.string() + ": says that the bag has " + std::to_string(*said) +
-         " messages, its files have " + std::to_string(messages) +
-         "; copy the whole folder of the bag";
+  if (!fs::is_directory(path, ignored)) return {};
+  return parseMetadata(readText(path / "metadata.yaml"));
+}
+
+std::string missingMessages(const fs::path& path, const BagMetadata& metadata,
+                            std::int64_t messages) {
+  if (!metadata.messages || *metadata.messages <= messages) return "";
+  return (path / "metadata.yaml").string() + ": says that the bag has " +
+         std::to_string(*metadata.messages) + " messages, of which " + std::to_string(messages) +
+         " could be read; copy the whole folder of the bag, or use them by on_corrupt: skip";
+}
+
+std::vector<std::string> oddFiles(const fs::path& path, const BagMetadata& metadata,
+                                  const std::vector<fs::path>& used) {
+  std::vector<std::string> warnings;
+  std::error_code failure;
+  if (!fs::is_directory(path, failure)) return warnings;
+  if (metadata.files.empty()) return missingParts(used);
+  // rosbag2 leaves a file that it has unpacked beside the packed one.
+  const auto isOther = [](const fs::path& file, const fs::path& named) {
+    const std::string a = file.filename().string();
+    const std::string b = named.filename().string();
+    return a != b && a != b + ".zstd" && a + ".zstd" != b;
+  };
+  for (fs::directory_iterator entry(path, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const fs::path& file = entry->path();
+    const bool is_unnamed =
+        isBagName(file) &&
+        std::ranges::all_of(used, [&](const fs::path& named) { return isOther(file, named); });
+    if (!is_unnamed) continue;
+    warnings.push_back(file.string() +
+                       ": is not read, because metadata.yaml does not name it; if it is a part of "
+                       "the recording, write metadata.yaml anew (`ros2 bag reindex`)");
+  }
+  std::ranges::sort(warnings);
+  return warnings;
 }
 
 Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
@@ -100,7 +116,7 @@ Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
     return Status::invalidInput(metadata.string() + ": " + problem);
   }
   std::vector<fs::path> files;
-  for (const std::string& name : filesInMetadata(readText(metadata))) {
+  for (const std::string& name : parseMetadata(readText(metadata)).files) {
     // Only the file name: early versions wrote the folder, too, and no other folder may be read.
     files.push_back(path / fs::path(name).filename());
   }
@@ -117,7 +133,9 @@ Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
   }
   std::sort(files.begin(), files.end(), comesBefore);
   if (!files.empty()) return files;
-  return Status::invalidInput(path.string() + ": has no .mcap, .db3 or .bag file; check the path");
+  return Status::invalidInput(
+      path.string() + ": " +
+      file_opening::notOpened("has no .mcap, .db3 or .bag file; check the path"));
 }
 
 }  // namespace tolman::ros_bag

@@ -53,38 +53,104 @@ std::optional<Ros1File::Contents> Ros1File::readRecord(std::uint64_t at, Problem
   return readBytes(at, size, at, problems);
 }
 
-void Ros1File::visit(const MessageVisitor& visitor, std::vector<std::string>& problems) {
-  Scan scan{visitor, problems, {}};
-  std::uint64_t index_at = 0;
-  for (std::uint64_t at = kBegin; at < file().size();) {
-    const std::optional<Contents> bytes = readRecord(at, problems);
-    if (!bytes) return;
+/// Reads the records at the end of the bag, which repeat the connections and count the messages of
+/// each chunk. They are empty in some bags, and then say nothing.
+bool Ros1File::readIndex(std::uint64_t begin, Scan& scan) {
+  Problems unused;  // the index is a witness only
+  for (std::uint64_t at = begin; at < file().size();) {
+    const std::optional<Contents> bytes = readRecord(at, unused);
+    if (!bytes) return false;
     ByteReader reader(*bytes);
     const auto record = takeRecord(reader);
-    if (!record) return;
-    if (record->kind() == Ros1Kind::BagHeader) {
-      index_at = record->number<std::uint64_t>("index_pos").value_or(0);
+    if (!record) return false;
+    if (record->kind() == Ros1Kind::Connection) {
+      if (!takeConnection(*record, scan)) return false;
+    } else if (record->kind() != Ros1Kind::ChunkInfo) {
+      return false;
+    } else {
+      ByteReader pairs(record->data);
+      while (pairs.left() > 0) {
+        const auto connection = pairs.number<std::uint32_t>();
+        const auto messages = pairs.number<std::uint32_t>();
+        if (!pairs.ok()) return false;
+        scan.counts.indexFile(connection, messages);
+      }
     }
-    if (record->kind() == Ros1Kind::ChunkInfo) return;  // follows all messages
+    at += bytes->size();
+  }
+  return true;
+}
+
+void Ros1File::visit(const MessageVisitor& visitor, FileDamage& damage) {
+  Problems& problems = damage.problems;
+  Scan scan{visitor, damage, {}, {}, {}, {}};
+  Problems unused;
+  const auto begin = readRecord(kBegin, unused);  // sound, see open()
+  std::uint64_t index_at = 0;
+  if (begin) {
+    ByteReader reader(*begin);
+    const auto header = takeRecord(reader);
+    if (header) index_at = header->number<std::uint64_t>("index_pos").value_or(0);
+  }
+  const bool has_index = index_at >= kBegin && index_at <= file().size();
+  const bool is_index_sound = has_index && readIndex(index_at, scan);
+  if (!is_index_sound) {
+    scan.topics.clear();
+    scan.counts = {};
+  }
+  const bool is_whole = visitRecords(is_index_sound ? index_at : file().size(), scan);
+  if (is_whole && !has_index) problems.push_back(hasNoEnd(file().size()));
+  if (is_whole && has_index && !is_index_sound) problems.push_back(badIndex("is damaged"));
+  if (scan.damaged.count() > 0) problems.push_back(leftOut(scan.damaged.text()));
+  if (scan.wrong_clock.count() > 0) problems.push_back(wrongClock(scan.wrong_clock.text()));
+  scan.counts.visitMissing([&](std::uint32_t connection, std::int64_t messages) {
+    const auto topic = scan.topics.find(connection);
+    damage.lose(topic == scan.topics.end() ? Topic() : topic->second, messages);
+  });
+}
+
+/// Visits the records before `end`, or before the index; false if the last was cut off, which is
+/// reported.
+bool Ros1File::visitRecords(std::uint64_t end, Scan& scan) {
+  for (std::uint64_t at = kBegin; at < end;) {
+    const std::optional<Contents> bytes = readRecord(at, scan.damage.problems);
+    if (!bytes) return false;
+    ByteReader reader(*bytes);
+    const auto record = takeRecord(reader);
+    if (!record) return false;
+    if (record->kind() == Ros1Kind::ChunkInfo) return true;  // follows all messages
     visitRecord(*record, 0, at, scan);
     at += bytes->size();
   }
-  if (index_at != 0 && index_at <= file().size()) return;
-  problems.push_back(hasNoEnd(file().size()));
+  return true;
+}
+
+bool Ros1File::takeConnection(const Ros1Record& record, Scan& scan) {
+  const auto number = record.number<std::uint32_t>("conn");
+  const auto topic = topicOf(record);
+  if (!number || !topic) return false;
+  const auto [known, is_new] = scan.topics.emplace(*number, *topic);
+  return is_new || known->second == *topic;
 }
 
 void Ros1File::visitRecord(const Ros1Record& record, std::uint64_t chunk, std::uint64_t at,
                            Scan& scan) {
+  Problems& problems = scan.damage.problems;
+  const std::uint64_t place = chunk == 0 ? at : chunk;
   if (record.kind() == Ros1Kind::Connection) {
-    const auto number = record.number<std::uint32_t>("conn");
-    const auto topic = topicOf(record);
-    if (number && topic) scan.topics[*number] = *topic;
+    if (!takeConnection(record, scan)) {
+      problems.push_back(hasPart("a damaged or changed topic", place));
+    }
   } else if (record.kind() == Ros1Kind::Message) {
     visitMessage(record, chunk, at, scan);
   } else if (record.kind() == Ros1Kind::Chunk && chunk == 0) {
     visitChunk(record, at, scan);
+  } else if (record.kind() == Ros1Kind::Index) {
+    const auto connection = record.number<std::uint32_t>("conn");
+    const auto messages = record.number<std::uint32_t>("count");
+    if (connection && messages) scan.counts.indexChunk(*connection, *messages);
   } else if (record.kind() == Ros1Kind::None) {
-    scan.problems.push_back(hasPart("a record of no known kind", chunk == 0 ? at : chunk));
+    problems.push_back(hasPart("a record of no known kind", place));
   }
 }
 
@@ -93,18 +159,24 @@ void Ros1File::visitMessage(const Ros1Record& record, std::uint64_t chunk, std::
   const auto connection = record.number<std::uint32_t>("conn");
   const auto topic = connection ? scan.topics.find(*connection) : scan.topics.end();
   const auto log_ns = timeOf(record);
+  const std::string place = atByte(chunk == 0 ? at : chunk);
+  if (connection) scan.counts.find(*connection);
   if (topic == scan.topics.end() || !log_ns) {
-    scan.problems.push_back(hasPart("a damaged message", chunk == 0 ? at : chunk));
-    return;
+    scan.damaged.add([&] { return "has a damaged message" + place; });
+    return scan.damage.lose(topic == scan.topics.end() ? Topic() : topic->second, 1);
   }
-  const MessagePlace place{chunk, at + record.data_at, record.data.size()};
-  scan.visitor(topic->second, *log_ns, place, record.data);
+  if (*log_ns < 0) {
+    scan.wrong_clock.add([&] { return beforeEpoch("the message" + place, *log_ns); });
+    return scan.damage.lose(topic->second, 1);
+  }
+  const MessagePlace bytes{chunk, at + record.data_at, record.data.size()};
+  scan.visitor(topic->second, *log_ns, bytes, record.data);
 }
 
 void Ros1File::visitChunk(const Ros1Record& chunk, std::uint64_t at, Scan& scan) {
   const Result<Contents> records = unpackChunk(chunk);
   if (!records.isOk()) {
-    scan.problems.push_back(badChunk(at, records.status().message()));
+    scan.damage.problems.push_back(badChunk(at, records.status().message()));
     return;
   }
   ByteReader reader(records.value());
@@ -112,7 +184,7 @@ void Ros1File::visitChunk(const Ros1Record& chunk, std::uint64_t at, Scan& scan)
     const std::size_t begin = reader.at();
     const auto record = takeRecord(reader);
     if (!record) {
-      scan.problems.push_back(chunkEndsWithin(at));
+      scan.damage.problems.push_back(chunkEndsWithin(at));
       return;
     }
     visitRecord(*record, at, begin, scan);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "chunked_file.hpp"
+#include "message_counts.hpp"
 #include "ros1_record.hpp"
 
 namespace tolman::ros_bag {
@@ -22,16 +23,23 @@ class Ros1File final : public ChunkedFile {
   /// Whether the file begins as a ROS 1 bag of any version does.
   static bool isRos1(FileBytes& file);
 
-  void visit(const MessageVisitor& visitor, std::vector<std::string>& problems) override;
+  void visit(const MessageVisitor& visitor, FileDamage& damage) override;
 
  private:
   struct Scan {
     const MessageVisitor& visitor;
-    Problems& problems;
+    FileDamage& damage;
     std::map<std::uint32_t, Topic> topics;  ///< by the number of the connection
+    MessageCounts counts;                   ///< by the same
+    Repeated damaged;                       ///< messages
+    Repeated wrong_clock;                   ///< messages
   };
 
   explicit Ros1File(FileBytes file) : ChunkedFile(std::move(file)) {}
+  bool readIndex(std::uint64_t begin, Scan& scan);
+  bool visitRecords(std::uint64_t end, Scan& scan);
+  /// False if the connection is damaged, or already another topic.
+  static bool takeConnection(const Ros1Record& record, Scan& scan);
   /// The bytes of the record at `at`. If the file is too short or the record too large: empty, and
   /// the problem is reported.
   std::optional<Contents> readRecord(std::uint64_t at, Problems& problems);

@@ -37,7 +37,7 @@ std::optional<std::int64_t> timeOf(const Ros1Record& message) {
   const std::optional<Bytes> time = message.field("time");
   if (!time || time->size() != 2 * sizeof(std::uint32_t)) return std::nullopt;
   ByteReader fields(*time);
-  const std::int64_t seconds = fields.number<std::uint32_t>();
+  const std::int64_t seconds = fields.number<std::int32_t>();  // see timeOf()
   return seconds * 1'000'000'000 + fields.number<std::uint32_t>();
 }
 

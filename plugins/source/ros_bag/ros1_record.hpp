@@ -42,7 +42,8 @@ struct Ros1Record {
 /// The next record; empty if it is incomplete.
 std::optional<Ros1Record> takeRecord(ByteReader& bytes);
 
-/// Time of a message, ns since 1970; empty if it is missing.
+/// Time of a message, ns since 1970; empty if it is missing. ROS 1 stores the seconds without a
+/// sign; from 2038 on they are taken as those before 1970, which a wrong clock gives.
 std::optional<std::int64_t> timeOf(const Ros1Record& message);
 
 /// The topic of a connection record; its type is in the notation of ROS 2.

@@ -9,7 +9,9 @@
 #include <limits>
 #include <optional>
 
+#include "bag_problems.hpp"
 #include "compression.hpp"
+#include "open_files.hpp"
 
 namespace tolman::ros_bag {
 namespace {
@@ -52,26 +54,6 @@ std::unique_ptr<SQLite::Database> openMemory(Bytes bytes) {
   return database;
 }
 
-/// Messages whose time of recording is before 1970: told once, not for each.
-struct WrongClock {
-  std::int64_t messages = 0;
-  std::string first;
-
-  void add(std::int64_t id, std::int64_t log_ns) {
-    if (++messages > 1) return;
-    first = "message " + std::to_string(id) + " was recorded at " + std::to_string(log_ns) +
-            " ns, before 1970";
-  }
-  void tell(std::vector<std::string>& problems) const {
-    if (messages == 0) return;
-    const std::string more =
-        messages == 1 ? "" : ", and " + std::to_string(messages - 1) + " more like it";
-    problems.push_back(first + more +
-                       ": the clock was wrong; correct the column timestamp, or leave them out by "
-                       "on_corrupt: skip");
-  }
-};
-
 }  // namespace
 
 bool SqliteFile::isSqlite(FileBytes& file) {
@@ -89,6 +71,10 @@ Result<std::unique_ptr<SqliteFile>> SqliteFile::open(const std::filesystem::path
     if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
     return file;
   } catch (const SQLite::Exception& failure) {
+    constexpr int kFiles = 3;  // the database, its journal, its folder
+    if (failure.getErrorCode() == SQLITE_CANTOPEN && file_opening::areDescriptorsShort(kFiles)) {
+      return Status::invalidInput(path.string() + ": " + file_opening::kNotOpened);
+    }
     return Status::invalidInput(path.string() + ": is no database that can be read (" +
                                 failure.what() + "); copy the bag again");
   }
@@ -109,16 +95,37 @@ Status SqliteFile::checkTables() {
   return Status::ok();
 }
 
-void SqliteFile::visit(const MessageVisitor& visitor, std::vector<std::string>& problems) {
+void SqliteFile::visit(const MessageVisitor& visitor, FileDamage& damage) {
+  std::int64_t rows = 0;
   try {
-    visitRows(visitor, problems);
+    visitRows(visitor, damage, rows);
   } catch (const SQLite::Exception& failure) {
-    problems.push_back(std::string("is damaged (") + failure.what() +
-                       "); copy the bag again, or use what can be read by on_corrupt: skip");
+    damage.problems.push_back(std::string("is damaged (") + failure.what() +
+                              "); copy the bag again, or use what can be read by on_corrupt: skip");
+  }
+  damage.lose({}, indexedRows() - rows);
+}
+
+/// The number of messages by the index of their times, which lies in other pages than they; 0 if
+/// the index is missing or damaged.
+std::int64_t SqliteFile::indexedRows() {
+  try {
+    SQLite::Statement find(*database_,
+                           "SELECT name FROM pragma_index_list('messages') WHERE partial = 0");
+    if (!find.executeStep()) return 0;
+    std::string name = find.getColumn(0).getString();
+    for (std::size_t at = 0; (at = name.find('"', at)) != std::string::npos; at += 2) {
+      name.insert(at, 1, '"');
+    }
+    SQLite::Statement count(*database_,
+                            "SELECT count(*) FROM messages INDEXED BY \"" + name + "\"");
+    return count.executeStep() ? count.getColumn(0).getInt64() : 0;
+  } catch (const SQLite::Exception&) {
+    return 0;
   }
 }
 
-void SqliteFile::visitRows(const MessageVisitor& visitor, std::vector<std::string>& problems) {
+void SqliteFile::visitRows(const MessageVisitor& visitor, FileDamage& damage, std::int64_t& found) {
   std::map<std::int64_t, Topic> topics;
   SQLite::Statement names(*database_, "SELECT id, name, type, serialization_format FROM topics");
   while (names.executeStep()) {
@@ -129,26 +136,37 @@ void SqliteFile::visitRows(const MessageVisitor& visitor, std::vector<std::strin
   // In the order of the table, because sorting here would read the images twice.
   SQLite::Statement rows(*database_, "SELECT id, topic_id, timestamp, data FROM messages");
   std::int64_t last_id = std::numeric_limits<std::int64_t>::min();
-  WrongClock wrong_clock;
-  while (rows.executeStep()) {
-    const std::int64_t id = rows.getColumn(0).getInt64();
-    const auto topic = topics.find(rows.getColumn(1).getInt64());
-    const std::int64_t log_ns = rows.getColumn(2).getInt64();
-    const auto message = plain(blobOf(rows.getColumn(3)));
-    const bool in_order = id > last_id;  // otherwise the B-tree of the table is damaged
-    last_id = std::max(last_id, id);
-    if (topic == topics.end() || !message || !in_order) {
-      problems.push_back("message " + std::to_string(id) +
-                         " is damaged; copy the bag again, or leave it out by on_corrupt: skip");
-      continue;
+  Repeated damaged;
+  Repeated wrong_clock;
+  const auto tell = [&] {
+    if (damaged.count() > 0) damage.problems.push_back(leftOut(damaged.text()));
+    if (wrong_clock.count() > 0) damage.problems.push_back(wrongClock(wrong_clock.text()));
+  };
+  try {
+    for (; rows.executeStep(); ++found) {
+      const std::int64_t id = rows.getColumn(0).getInt64();
+      const std::string what = "message " + std::to_string(id);
+      const auto topic = topics.find(rows.getColumn(1).getInt64());
+      const std::int64_t log_ns = rows.getColumn(2).getInt64();
+      const auto message = plain(blobOf(rows.getColumn(3)));
+      const bool in_order = id > last_id;  // otherwise the B-tree of the table is damaged
+      last_id = std::max(last_id, id);
+      if (topic == topics.end() || !message || !in_order) {
+        damaged.add([&] { return what + " is damaged"; });
+        damage.lose(topic == topics.end() ? Topic() : topic->second, 1);
+      } else if (log_ns < 0) {
+        wrong_clock.add([&] { return beforeEpoch(what, log_ns); });
+        damage.lose(topic->second, 1);
+      } else {
+        const MessagePlace place{0, static_cast<std::uint64_t>(id), message->size()};
+        visitor(topic->second, log_ns, place, *message);
+      }
     }
-    if (log_ns < 0) {
-      wrong_clock.add(id, log_ns);
-      continue;
-    }
-    visitor(topic->second, log_ns, {0, static_cast<std::uint64_t>(id), message->size()}, *message);
+  } catch (const SQLite::Exception&) {
+    tell();
+    throw;
   }
-  wrong_clock.tell(problems);
+  tell();
 }
 
 Result<std::vector<std::uint8_t>> SqliteFile::read(const MessagePlace& place) {

@@ -15,8 +15,8 @@ using Topics = std::map<std::string, BagTopic>;
 using Types = std::initializer_list<std::string_view>;
 
 bool isOf(const BagTopic& topic, Types types) {
-  // A topic of damaged messages alone is chosen, too: the source then says what is wrong with it.
-  return (!topic.index.empty() || topic.damaged > 0) &&
+  // A topic of damaged or lost messages alone is chosen, too: the source then says what is wrong.
+  return (!topic.index.empty() || topic.damaged > 0 || topic.lost > 0) &&
          std::find(types.begin(), types.end(), topic.topic.type) != types.end();
 }
 
@@ -132,7 +132,8 @@ Status chooseSensor(const Topics& topics, const char* parameter, const std::stri
     return found.status();
   }
   const std::vector<const BagTopic*> all = topicsOf(topics, {type});
-  if (all.size() == 1) sensor = all.front();
+  const bool is_lost = !all.empty() && all.front()->index.empty() && all.front()->damaged == 0;
+  if (all.size() == 1 && !is_lost) sensor = all.front();
   return Status::ok();
 }
 

@@ -2,7 +2,6 @@
 // A route from a KITTI pose file.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -10,6 +9,8 @@
 #include <optional>
 #include <variant>
 
+#include "number_text.hpp"
+#include "open_files.hpp"
 #include "route.hpp"
 #include "text_encoding.hpp"
 
@@ -40,14 +41,12 @@ std::variant<Numbers, std::string> parseNumbers(std::string_view line) {
   for (std::size_t at = line.find_first_not_of(kBlank); at != std::string_view::npos; ++count) {
     const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
     const std::string_view field = line.substr(at, end - at);
-    const std::string_view digits = field.substr(field.starts_with("+") ? 1 : 0);
-    double number = 0;
-    const auto [stop, failure] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (failure != std::errc{} || stop != digits.data() + digits.size() || !std::isfinite(number)) {
-      return std::string("'").append(field) + "' is no finite number; correct the pose";
+    const std::optional<double> number = text_encoding::parseNumber(field);
+    if (!number) {
+      return std::string("'").append(field) + "' " +
+             std::string(text_encoding::numberProblem(field)) + "; correct the pose";
     }
-    if (count < numbers.size()) numbers[count] = number;
+    if (count < numbers.size()) numbers[count] = *number;
     at = line.find_first_not_of(kBlank, end);
   }
   if (count == numbers.size()) return numbers;
@@ -136,7 +135,10 @@ Result<CameraRoute> readRoute(const fs::path& file, const RouteOptions& options)
   std::ifstream stream(file);
   const Result<std::vector<Eigen::Isometry3d>> poses = readPoses(stream, name, options.rate);
   if (!poses.isOk()) return poses.status();
-  if (!stream.eof()) return Status::invalidInput(name + ": cannot be read; check its permissions");
+  if (!stream.eof()) {
+    return Status::invalidInput(name + ": " +
+                                file_opening::notOpened("cannot be read; check its permissions"));
+  }
   if (poses.value().size() < 2) {
     return Status::invalidInput(name + ": has " + (poses.value().empty() ? "no pose" : "one pose") +
                                 "; a drive needs two or more");

@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "open_files.hpp"
+
 namespace tolman::video {
 namespace {
 
@@ -26,12 +28,12 @@ Status cannotOpen(const std::string& path, int error) {
     remedy = "close the program that uses it (`fuser " + path + "`)";
   } else if (error == ENODEV || error == ENXIO) {
     remedy = "connect the camera";
-  } else if (error == EMFILE || error == ENFILE) {
+  } else if (file_opening::isDescriptorLimit(error)) {
     remedy = "allow more open files (`ulimit -n`)";
   }
   const Status status =
       Status::invalidInput(path + ": cannot be opened (" + cause + "); " + remedy);
-  return error == EMFILE || error == ENFILE ? Status::failed(status.message()) : status;
+  return file_opening::isDescriptorLimit(error) ? Status::failed(status.message()) : status;
 }
 
 Status waitForData(const std::string& path, int pipe, double patience_s) {

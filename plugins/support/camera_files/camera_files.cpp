@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "calibration_cameras.hpp"
+#include "open_files.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::camera_files {
@@ -27,7 +28,9 @@ std::string readText(const fs::path& file) {
   }
   std::ifstream stream(file, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream.eof() && !stream) throw FileError(0, "cannot be read; check its permissions");
+  if (!stream.is_open() || (!stream.eof() && !stream)) {
+    throw FileError(0, file_opening::notOpened("cannot be read; check its permissions"));
+  }
   const std::string problem = text_encoding::encodingProblem(text);
   if (!problem.empty()) throw FileError(0, problem);
   return std::string(text_encoding::withoutMark(text));

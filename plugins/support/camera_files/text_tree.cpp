@@ -2,9 +2,10 @@
 #include "text_tree.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
+#include <optional>
+
+#include "number_text.hpp"
 
 namespace tolman::camera_files {
 namespace {
@@ -20,14 +21,13 @@ void appendNumbers(const Node& node, std::vector<double>& numbers) {
     rest.remove_prefix(begin);
     std::string_view field = rest.substr(0, rest.find_first_of(kSeparators));
     rest.remove_prefix(field.size());
-    if (field.starts_with('+')) field.remove_prefix(1);
-    double number = 0;
-    const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), number);
-    const bool whole = failure == std::errc{} && end == field.data() + field.size();
-    if (!whole || !std::isfinite(number)) {
-      throw FileError(node.line, inQuotes(field) + " is no finite number; correct it");
+    const std::optional<double> number = text_encoding::parseNumber(field);
+    if (!number) {
+      throw FileError(node.line, inQuotes(field) + " " +
+                                     std::string(text_encoding::numberProblem(field)) +
+                                     "; correct it");
     }
-    numbers.push_back(number);
+    numbers.push_back(*number);
   }
 }
 

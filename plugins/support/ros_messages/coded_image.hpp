@@ -8,6 +8,7 @@
 #include "bytes.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
+#include "value_widths.hpp"
 
 namespace tolman::ros_messages {
 
@@ -25,11 +26,11 @@ Result<ImageSize> codedSize(Bytes coded);
 
 /// Of images of 16 bits: how they become images of 8.
 struct DeepPixels {
-  int bits = 16;     ///< that are used, from the lowest; the 8 highest of them are taken
-  int largest = -1;  ///< of the values that were converted; -1: none
+  int bits = 16;  ///< that are used, from the lowest; the 8 highest of them are taken
+  source_parameters::ValueWidths widths = {};  ///< of the values that were converted
 
   std::uint8_t convert(int value) {
-    largest = std::max(largest, value);
+    widths.add(static_cast<std::uint16_t>(value));
     return static_cast<std::uint8_t>(std::min(value >> (bits - 8), 255));
   }
 };

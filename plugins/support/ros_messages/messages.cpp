@@ -12,8 +12,8 @@ namespace {
 std::int64_t readStamp(FieldReader& fields) {
   const bool ros1 = fields.encoding() == Encoding::Ros1;
   if (ros1) fields.number<std::uint32_t>();
-  const std::int64_t seconds =
-      ros1 ? std::int64_t{fields.number<std::uint32_t>()} : fields.number<std::int32_t>();
+  // In ROS 1 without a sign: from 2038 on it is taken as a time before 1970, that of a wrong clock.
+  const std::int64_t seconds = fields.number<std::int32_t>();
   const std::int64_t nanoseconds = fields.number<std::uint32_t>();
   return seconds * 1'000'000'000 + nanoseconds;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -18,53 +19,110 @@ class UsedBits {
  public:
   static constexpr int kJudged = 10;  ///< images; dataset check and init read as many pairs
 
-  /// Whether images that are added still count.
-  bool isJudging() const { return images_ < kJudged; }
+  /// `bits`: the parameter of the source.
+  explicit UsedBits(int bits = 16) : bits_(bits) {}
 
-  /// Counts an image of 16 bits. `largest`: of its values, or negative for other images.
-  void add(int largest) {
-    if (largest < 0 || !isJudging()) return;
-    ++images_;
-    largest_ = std::max(largest_, largest);
-  }
+  /// Whether the widths of further images matter: not after a warning.
+  bool isJudging() const { return !is_told_; }
 
-  /// The same without the few largest values; nothing without values.
+  /// Counts an image by its values of 16 bits; without values it is an image of 8 bits.
   void add(const ValueWidths& widths) {
-    if (isJudging() && widths.usual() < widths.largest()) has_hot_ = true;
-    add(widths.usual());
+    const int usual = widths.usual();
+    if (usual < 0) return;
+    if (++images_ <= kJudged) first_.add(usual, widths.largest());
+    if (usual == 0) return;  // black: says nothing of the camera
+    if (usual >> (bits_ - kLateBits) != 0) {
+      brightest_ = std::max(brightest_, usual);
+      late_ = {};
+    } else if (late_.images < kJudged) {
+      late_.add(usual, widths.largest());
+    }
   }
 
   /// Once, if a value needs more than `bits`: a warning that follows the name of the image.
-  std::optional<std::string> beyond(int largest, int bits) {
-    if (is_beyond_told_ || largest < 0 || largest >> bits == 0) return std::nullopt;
+  std::optional<std::string> beyond(int largest) {
+    if (is_beyond_told_ || largest < 0 || largest >> bits_ == 0) return std::nullopt;
     is_beyond_told_ = true;
-    return "has values of more than " + std::to_string(bits) +
+    return "has values of more than " + std::to_string(bits_) +
            " bits, which become white (255); set bits to as many as the camera has, or remove it";
   }
 
-  /// Once, after kJudged images, or after fewer if no more come (`is_last`): a warning without the
-  /// name of a file if no value of them fills a quarter of the parameter `bits`. Nothing of images
-  /// that are black: they say nothing of the camera.
-  std::optional<std::string> warning(int bits, bool is_last) {
-    if (is_told_ || images_ == 0 || (images_ < kJudged && !is_last)) return std::nullopt;
-    is_told_ = true;
-    constexpr std::array kUsual = {8, 10, 12, 14};  // of cameras
-    const auto* const fits =
-        std::ranges::find_if(kUsual, [&](int b) { return largest_ >> b == 0; });
-    if (largest_ == 0 || fits == kUsual.end() || *fits > bits - 2) return std::nullopt;
-    const std::string brightest = std::to_string(largest_ >> (bits - 8));
-    return std::string(has_hot_ ? "nearly all" : "the") + " values of the first " +
-           std::to_string(images_) + " images of 16 bits stay below " + std::to_string(1 << *fits) +
-           ", so that no grey level is above " + brightest +
-           " of 255; set source.bits=" + std::to_string(*fits) +
-           " (in a command without configuration: bits=" + std::to_string(*fits) +
-           "), unless the scene is that dark";
+  /// Once: a warning without the name of a file. Either after the first kJudged images, or after
+  /// fewer if no more come (`is_last`), if none of their values fills a quarter of `bits`; or after
+  /// kJudged in a row (half as many at the last) that do not fill a sixteenth, where earlier ones
+  /// did. `frame`: of the image that was added last. Nothing of images that are black.
+  std::optional<std::string> warning(bool is_last, std::int64_t frame) {
+    if (is_told_ || images_ == 0) return std::nullopt;
+    std::optional<std::string> told;
+    if (images_ >= kJudged || is_last) told = firstWarning();
+    if (!told && (late_.images == kJudged || (is_last && 2 * late_.images >= kJudged))) {
+      told = lateWarning(frame);
+    }
+    is_told_ = told.has_value();
+    return told;
   }
 
  private:
+  /// Images that are judged together.
+  struct Series {
+    int images = 0;
+    int largest = 0;       ///< of the usual values
+    bool has_hot = false;  ///< larger values were left out
+
+    void add(int usual, int largest_of_all) {
+      ++images;
+      largest = std::max(largest, usual);
+      has_hot = has_hot || usual < largest_of_all;
+    }
+  };
+
+  // A shadow may dim a scene to a quarter, so later images must be darker to count. Chosen, not
+  // tuned: cameras of 12 bits and fewer stay below a sixteenth of 16 bits.
+  static constexpr int kLateBits = 4;
+
+  /// The least number of bits of a camera that holds the values; 0 if none is well below `bits`.
+  int fitting(int largest) const {
+    constexpr std::array kUsual = {8, 10, 12, 14};  // of cameras
+    const auto* const fits = std::ranges::find_if(kUsual, [&](int b) { return largest >> b == 0; });
+    return largest == 0 || fits == kUsual.end() || *fits > bits_ - 2 ? 0 : *fits;
+  }
+
+  /// "the values of the first 10 images of 16 bits stay below 4096, so that ..."
+  std::string lowText(const Series& series, int fits, const std::string& which) const {
+    return std::string(series.has_hot ? "nearly all" : "the") + " values of " + which +
+           " stay below " + std::to_string(1 << fits) + ", so that " +
+           (series.has_hot ? "hardly any" : "no") + " grey level is above " +
+           std::to_string(series.largest >> (bits_ - 8)) + " of 255";
+  }
+
+  std::optional<std::string> firstWarning() const {
+    const int fits = fitting(first_.largest);
+    if (fits == 0) return std::nullopt;
+    return lowText(first_, fits,
+                   "the first " + std::to_string(first_.images) + " images of 16 bits") +
+           "; set source.bits=" + std::to_string(fits) +
+           " (in a command without configuration: bits=" + std::to_string(fits) +
+           "), unless the scene is that dark";
+  }
+
+  std::optional<std::string> lateWarning(std::int64_t frame) const {
+    const int fits = fitting(late_.largest);
+    if (fits == 0) return std::nullopt;
+    return lowText(late_, fits,
+                   std::to_string(late_.images) +
+                       " images of 16 bits in a row, the last at frame " + std::to_string(frame) +
+                       ",") +
+           ", where earlier values reach " + std::to_string(brightest_) +
+           "; if the camera was set to fewer bits there, read those images in a run of their own "
+           "with source.bits=" +
+           std::to_string(fits) + ", unless the scene is that dark";
+  }
+
+  int bits_;
   int images_ = 0;
-  int largest_ = 0;
-  bool has_hot_ = false;  ///< larger values were left out
+  int brightest_ = 0;  ///< of the usual values of all images
+  Series first_;       ///< the first kJudged images
+  Series late_;        ///< the last ones in a row that do not fill a sixteenth of `bits`
   bool is_told_ = false;
   bool is_beyond_told_ = false;
 };

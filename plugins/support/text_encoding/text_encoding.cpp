@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <fstream>
 
+#include "open_files.hpp"
+
 namespace tolman::text_encoding {
 namespace {
 
@@ -48,6 +50,7 @@ std::string encodingProblemOf(const std::filesystem::path& file) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure)) return "";  // a pipe would block
   std::ifstream stream(file, std::ios::binary);
+  if (!stream.is_open()) return file_opening::notOpened("");
   std::string begin(std::size_t{1} << 16U, '\0');
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(stream.gcount()));

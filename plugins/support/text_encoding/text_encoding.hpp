@@ -14,7 +14,8 @@ namespace tolman::text_encoding {
 /// line. Empty for a sound text. Other bytes that are no UTF-8 are not looked for.
 std::string encodingProblem(std::string_view text);
 
-/// The same of the first 64 KiB of a file; empty, too, if it is no regular file that can be read.
+/// The same of the first 64 KiB of a file, or that there are too many open files to open it. Empty,
+/// too, if it is no regular file that can be read.
 std::string encodingProblemOf(const std::filesystem::path& file);
 
 /// Removes the byte order mark that some editors write before UTF-8.

@@ -146,6 +146,35 @@ TEST_CASE("other separators of thousands are told as commas are") {
   }
 }
 
+TEST_CASE("points and the separators of Switzerland and France are told, decimals are not") {
+  for (const std::string separator : {".", "\xe2\x80\x99", "\xe2\x80\xaf", "\xc2\xa0"}) {
+    INFO(separator);
+    const NameOrder order =
+        orderNames({"998", "999", "1" + separator + "000", "1" + separator + "001"});
+    CHECK(order.indices == std::vector<std::size_t>{2, 3, 0, 1});
+    CHECK(order.doubt == NameOrder::Pair(2, 0));
+  }
+  CHECK(orderNames({"999.998", "999.999", "1.000.000"}).doubt);
+  CHECK_FALSE(isTold(orderNames({"0.998", "0.999", "1.000", "1.001"})));
+  CHECK_FALSE(isTold(orderNames({"1.050", "1.100", "1.150"})));
+}
+
+TEST_CASE("a dash behind a letter is told where other names lack it") {
+  const NameOrder order = orderNames({"t-1.5", "t-0.5", "t0.5", "t1.5"});
+  REQUIRE(order.doubt);
+  CHECK(order.doubt == NameOrder::Pair(1, 0));
+  CHECK_FALSE(isTold(orderNames({"cam-1", "cam-2", "cam-10"})));
+  CHECK(orderNames({"t_-1.5", "t_0.5"}).indices.front() == 0);
+}
+
+TEST_CASE("other dashes are minus signs as well") {
+  for (const std::string dash : {"\xe2\x80\x93", "\xef\xb9\xa3", "\xef\xbc\x8d"}) {
+    const NameOrder order = orderNames({dash + "1", dash + "2", "0", "1"});
+    CHECK(order.indices == std::vector<std::size_t>{1, 0, 2, 3});
+    CHECK(order.doubt);
+  }
+}
+
 TEST_CASE("U+2212 is a minus sign") {
   const std::string minus = "\xe2\x88\x92";
   const Names names = {minus + "0.5", minus + "1.5", minus + "2.5"};

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "support/data.hpp"
+#include "support/few_descriptors.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::motion_log {
@@ -209,6 +210,25 @@ TEST_CASE("folders, pipes and files that are not there are refused without waiti
     CHECK(readEdges(path).status().message() ==
           path.string() + " is not a readable file; check the path");
   }
+}
+
+TEST_CASE("values that a double cannot hold are refused, a plus sign is not") {
+  CHECK(EdgeFile("EDGE_SE2 0 1 1e-400 0 0 1 0 0 1 0 1\n").refusal() ==
+        ":1: '1e-400' is too small for a double (write 0); correct it");
+  CHECK(EdgeFile("EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1e-999\n").refusal() ==
+        ":1: '1e-999' is too small for a double (write 0); correct it");
+  CHECK(EdgeFile("EDGE_SE2 0 1 1x 0 0 1 0 0 1 0 1\n").refusal().starts_with(":1: needs two ids"));
+  const EdgeFile plus("EDGE_SE2 0 1 +1.5 -0.5 +0.1 +1 0 0 1 0 1\n");
+  const auto edges = readEdges(plus.path);
+  REQUIRE(edges.isOk());
+  CHECK(edges.value().at(0).motion.x == 1.5);
+  CHECK(edges.value().at(0).motion.theta == 0.1);
+}
+
+TEST_CASE("edges that cannot be opened for want of descriptors are told as such") {
+  const EdgeFile file("EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n");
+  const test::FewDescriptors none(0);
+  CHECK(file.refusal() == " cannot be opened; allow more open files (`ulimit -n`)");
 }
 
 }  // namespace tolman::motion_log

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "bag_case.hpp"
+#include "ros1_case.hpp"
 
 namespace tolman::ros_bag {
 namespace {
@@ -77,6 +78,50 @@ TEST_CASE("a bag of a camera of 10 bits is told of, with the bits to set") {
   const Played low(folder.path() / "a.db3", {{"bits", std::int64_t{9}}});
   REQUIRE(low.context.log.size() == 1);
   CHECK(low.context.log[0].find("has values of more than 9 bits") != std::string::npos);
+}
+
+/// 12 bits (4000) in messages of 16, with one white pixel; little endian.
+std::string pixelsWithHotOne() {
+  std::string pixels;
+  for (int p = 0; p < 160 * 120; ++p) pixels += std::string("\xa0\x0f", 2);
+  return pixels.replace(pixels.size() / 2, 2, "\xff\xff");
+}
+
+void checkTwelveBits(const std::filesystem::path& bag) {
+  const Played played(bag);
+  CHECK(played.frames.size() == 11);
+  REQUIRE(played.context.log.size() == 1);
+  CHECK(played.context.log[0].find("/camera: nearly all values of the first 10 images of 16 bits "
+                                   "stay below 4096, so that hardly any grey level is above 15 of "
+                                   "255; set source.bits=12 ") != std::string::npos);
+}
+
+TEST_CASE("a hot pixel does not hide in a ROS 2 bag that the camera has 12 bits") {
+  const test::TemporaryFolder folder;
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < 11; ++i) {
+    messages.push_back({"/camera", std::string(kImage), stampOf(i),
+                        test::imageMessage({stampOf(i), 160, 120, "mono16", pixelsWithHotOne()})});
+  }
+  test::writeDb3(folder.path() / "a.db3", messages);
+  checkTwelveBits(folder.path() / "a.db3");
+  test::writeBytes(folder.path() / "a.mcap", test::mcapBytes(messages));
+  checkTwelveBits(folder.path() / "a.mcap");
+}
+
+TEST_CASE("nor in a ROS 1 bag") {
+  const test::TemporaryFolder folder;
+  std::string bag = ros1Connection(0, "/camera", "sensor_msgs/Image");
+  for (std::uint32_t i = 0; i < 11; ++i) {
+    bag += ros1Message(0, i + 1,
+                       rawNumber(i) + rawNumber(i + 1) + rawNumber(0U) + ros1Text("camera") +
+                           rawNumber(120U) + rawNumber(160U) + ros1Text("mono16") + '\0' +
+                           rawNumber(320U) + ros1Text(pixelsWithHotOne()));
+  }
+  const std::string start = ros1Start(1);
+  test::writeBytes(folder.path() / "a.bag",
+                   ros1Start(static_cast<std::uint64_t>(start.size() + bag.size())) + bag);
+  checkTwelveBits(folder.path() / "a.bag");
 }
 
 TEST_CASE("a damaged image in a sound bag") {

@@ -13,7 +13,7 @@ namespace {
 class Letters final : public ChunkedFile {
  public:
   explicit Letters(FileBytes file) : ChunkedFile(std::move(file)) {}
-  void visit(const MessageVisitor&, Problems&) override {}
+  void visit(const MessageVisitor&, FileDamage&) override {}
   Result<Contents> readChunk(std::uint64_t at) override {
     unpacked.push_back(at);
     if (at == 666) return Status::invalidInput("does not unpack");

@@ -77,7 +77,7 @@ TEST_CASE("of 16 bits as many are used as are said, and the largest value is fou
     const auto image =
         convertImage(kRaw, asBytes(test::imageMessage({1, 2, 2, "mono16", ten})), false, deep);
     REQUIRE(image.isOk());
-    CHECK(deep.largest == 0x3fe);
+    CHECK(deep.widths.largest() == 0x3fe);
     const Image& grey = image.value();
     return std::vector<int>{grey.row(0)[0], grey.row(0)[1], grey.row(1)[0], grey.row(1)[1]};
   };
@@ -93,7 +93,7 @@ TEST_CASE("a compressed image of 16 bits is used alike, one of 8 bits as it is")
     DeepPixels deep{bits};
     const auto image = decodeImage({png.data(), png.size()}, false, deep);
     REQUIRE(image.isOk());
-    CHECK(deep.largest == largest);
+    CHECK(deep.widths.largest() == largest);
     return int{image.value().row(0)[0]};
   };
   const cv::Mat deep(4, 4, CV_16UC1, cv::Scalar(0x234));

@@ -12,6 +12,7 @@ struct Read {
   std::vector<std::string> messages;
   std::vector<std::string> again;
   std::vector<std::string> problems;
+  std::string lost;
 };
 
 Read readAll(const std::string& bytes) {
@@ -23,12 +24,15 @@ Read readAll(const std::string& bytes) {
   McapFile bag(std::move(file).value());
   Read read;
   std::vector<MessagePlace> places;
+  FileDamage damage;
   bag.visit(
       [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes message) {
         read.messages.push_back(topic.name + std::to_string(log_ns) + std::string(asText(message)));
         places.push_back(place);
       },
-      read.problems);
+      damage);
+  read.problems = damage.problems;
+  read.lost = lostText(damage.lost);
   for (auto place = places.rbegin(); place != places.rend(); ++place) {
     const auto message = bag.read(*place);
     REQUIRE(message.isOk());
@@ -82,6 +86,49 @@ TEST_CASE("a changed byte in a chunk is told by its check sum") {
   CHECK(read.messages.size() == 6);
   REQUIRE(read.problems.size() == 1);
   CHECK(read.problems[0].find("wrong check sum") != std::string::npos);
+}
+
+TEST_CASE("messages of a damaged chunk are counted by the indices") {
+  for (const char* compression : {"", "zstd", "lz4"}) {
+    std::string bytes = test::mcapBytes(letters(9), {compression, true, 3, true, "cdr", true});
+    CHECK(readAll(bytes).problems.empty());
+    CHECK(readAll(bytes).lost.empty());
+    const std::size_t second = bytes.find("\x07", bytes.find("\x06") + 60);
+    REQUIRE(second != std::string::npos);
+    std::string first = bytes;
+    const std::size_t name = first.find(compression, 60);
+    first[name + 30] = static_cast<char>(first[name + 30] ^ 0x55);  // with the names of the topics
+    const Read read = readAll(first);
+    CHECK(read.messages.size() == 6);
+    CHECK(read.lost == "2 messages of /a and 1 message of /b");
+    CHECK(read.problems.size() == 1);
+  }
+}
+
+TEST_CASE("without its summary a file is told, and its messages are read") {
+  const std::string bytes = test::mcapBytes(letters(9), {"zstd", true, 3, true, "cdr", true});
+  for (const std::size_t less : {1U, 8U, 20U, 37U, 60U}) {
+    const Read read = readAll(bytes.substr(0, bytes.size() - less));
+    CHECK(read.messages.size() == 9);
+    REQUIRE(read.problems.size() == 1);
+    CHECK(read.problems[0].starts_with("the index at its end is missing"));
+  }
+  std::string wrong = bytes;
+  wrong[bytes.size() - 50] = static_cast<char>(wrong[bytes.size() - 50] ^ 1);
+  REQUIRE(readAll(wrong).problems.size() == 1);
+  CHECK(
+      readAll(wrong).problems[0].starts_with("the index at its end does not match its check sum"));
+}
+
+TEST_CASE("times of recording before 1970 are told once, with the topic") {
+  auto messages = letters(6);
+  for (const std::size_t i : {1U, 3U}) messages[i].log_ns = -5'000'000'000;
+  const Read read = readAll(test::mcapBytes(messages));
+  CHECK(read.messages.size() == 4);
+  REQUIRE(read.problems.size() == 1);
+  CHECK(read.problems[0].find("was recorded at -5000000000 ns, before 1970, and 1 more like it: "
+                              "the clock was wrong") != std::string::npos);
+  CHECK(read.lost == "2 messages of /b");
 }
 
 TEST_CASE("lengths that lie do no harm") {

@@ -63,7 +63,8 @@ TEST_CASE("an empty message of a bag of ROS 1") {
   for (std::uint32_t i = 1; i <= 4; ++i) {
     records += ros1Message(0, 100 + i, i == 2 || i == 3 ? "" : ros1Image(100 + i));
   }
-  test::writeBytes(folder.path() / "a.bag", ros1Start(1) + ros1Chunk(records));
+  const std::string chunk = ros1Chunk(records);
+  test::writeBytes(folder.path() / "a.bag", ros1Start(ros1Start(0).size() + chunk.size()) + chunk);
   CHECK_THAT(
       Played(folder.path() / "a.bag", kSkipped).context.log.at(0),
       Catch::Contains("/camera: message 1 (recorded at 102000000007 ns) is empty, and 1 more "

@@ -59,6 +59,18 @@ inline std::string ros1Chunk(const std::string& records, const std::string& comp
                     records);
 }
 
+/// The index of a chunk that has `messages` of a connection.
+inline std::string ros1ChunkIndex(std::uint32_t connection, std::uint32_t messages) {
+  return ros1Record({ros1Op('\4'), "conn=" + rawNumber(connection), "count=" + rawNumber(messages)},
+                    std::string(12 * messages, '\0'));
+}
+
+/// An entry of the index at the end, of a chunk that has `messages` of each of two connections.
+inline std::string ros1ChunkInfo(std::uint32_t messages) {
+  return ros1Record({ros1Op('\6'), "count=" + rawNumber(2U)},
+                    rawNumber(0U) + rawNumber(messages) + rawNumber(1U) + rawNumber(messages));
+}
+
 /// What the reader finds in the bytes of a file.
 struct Ros1Read {
   explicit Ros1Read(const std::string& bytes) {
@@ -69,13 +81,16 @@ struct Ros1Read {
     refusal = opened.status().message();
     if (!opened.isOk()) return;
     std::vector<MessagePlace> places;
+    FileDamage damage;
     opened.value()->visit(
         [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes message) {
           messages.push_back(topic.name + " " + topic.type + " " + std::to_string(log_ns) + " " +
                              std::string(asText(message)));
           places.push_back(place);
         },
-        problems);
+        damage);
+    problems = damage.problems;
+    lost = lostText(damage.lost);
     for (auto place = places.rbegin(); place != places.rend(); ++place) {
       const auto message = opened.value()->read(*place);
       again.insert(again.begin(), message.isOk() ? std::string(asText(message.value()))
@@ -86,6 +101,7 @@ struct Ros1Read {
   std::vector<std::string> messages;
   std::vector<std::string> again;  ///< the bytes, read once more from the last to the first
   std::vector<std::string> problems;
+  std::string lost;
 };
 
 }  // namespace tolman::ros_bag

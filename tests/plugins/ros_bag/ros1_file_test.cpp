@@ -17,7 +17,7 @@ std::string twoChunks() {
       ros1Record({ros1Op('\4')}, "index of the chunk") +
       ros1Chunk(ros1Message(1, 7, "three") + ros1Message(0, 8, "four"));
   return ros1Start(begin.size() + chunks.size()) + chunks +
-         ros1Connection(0, "/a", "std_msgs/String") + ros1Record({ros1Op('\6')}, "chunk");
+         ros1Connection(0, "/a", "std_msgs/String") + ros1ChunkInfo(1) + ros1ChunkInfo(1);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ TEST_CASE("messages outside of chunks") {
 
 TEST_CASE("a ROS 1 bag that was cut off gives what is whole, and one problem") {
   const std::string bytes = twoChunks();
-  const std::size_t index_at = bytes.size() - ros1Record({ros1Op('\6')}, "chunk").size() -
+  const std::size_t index_at = bytes.size() - 2 * ros1ChunkInfo(1).size() -
                                ros1Connection(0, "/a", "std_msgs/String").size();
   std::size_t before = 0;
   for (std::size_t size = ros1Start(0).size(); size < index_at; ++size) {
@@ -53,6 +53,49 @@ TEST_CASE("a ROS 1 bag that was cut off gives what is whole, and one problem") {
     before = read.messages.size();
   }
   CHECK(before == 2);
+}
+
+TEST_CASE("messages of a damaged ROS 1 chunk are counted by either index") {
+  const std::string topics =
+      ros1Connection(0, "/a", "std_msgs/String") + ros1Connection(1, "/b", "std_msgs/String");
+  const std::string chunks = ros1Chunk(topics + ros1Message(0, 5, "1") + ros1Message(1, 5, "2")) +
+                             ros1ChunkIndex(0, 1) + ros1ChunkIndex(1, 1) +
+                             ros1Chunk("no records", "lz4", 80) + ros1ChunkIndex(0, 3) +
+                             ros1ChunkIndex(1, 2);
+  const std::uint64_t index_at = ros1Start(0).size() + chunks.size();
+  const Ros1Read by_chunk(ros1Start(index_at) + chunks);
+  CHECK(by_chunk.messages.size() == 2);
+  CHECK(by_chunk.lost == "3 messages of /a and 2 messages of /b");
+  const Ros1Read by_end(ros1Start(index_at) + chunks + topics + ros1ChunkInfo(1) +
+                        ros1ChunkInfo(4));
+  CHECK(by_end.lost == "4 messages of /a and 4 messages of /b");
+  const Ros1Read bad_index(ros1Start(index_at) + chunks + ros1ChunkIndex(0, 1));
+  CHECK(bad_index.messages.size() == 2);
+  REQUIRE(bad_index.problems.size() == 2);
+  CHECK(bad_index.problems[1].starts_with("the index at its end is damaged"));
+}
+
+TEST_CASE("a ROS 1 chunk with the topics is lost, and the index at the end has them") {
+  const std::string topics =
+      ros1Connection(0, "/a", "std_msgs/String") + ros1Connection(1, "/b", "std_msgs/String");
+  const std::string chunks =
+      ros1Chunk(topics + ros1Message(0, 5, "1"), "zip") + ros1Chunk(ros1Message(1, 6, "2"));
+  const Ros1Read read(ros1Start(ros1Start(0).size() + chunks.size()) + chunks + topics +
+                      ros1ChunkInfo(1));
+  CHECK(read.messages == std::vector<std::string>{"/b std_msgs/msg/String 6000000007 2"});
+  CHECK(read.lost == "1 message of /a");
+}
+
+TEST_CASE("seconds of ROS 1 that only a wrong clock gives are told once") {
+  const std::string records = ros1Connection(0, "/a", "std_msgs/String") +
+                              ros1Message(0, 0xfffffffb, "x") + ros1Message(0, 0xfffffffc, "y") +
+                              ros1Message(0, 0xfffffffd, "z") + ros1Message(0, 5, "sound");
+  const Ros1Read read(ros1Start(ros1Start(0).size() + records.size()) + records);
+  CHECK(read.messages == std::vector<std::string>{"/a std_msgs/msg/String 5000000007 sound"});
+  REQUIRE(read.problems.size() == 1);
+  CHECK(read.problems[0].find("was recorded at -4999999993 ns, before 1970, and 2 more like it: "
+                              "the clock was wrong") != std::string::npos);
+  CHECK(read.lost == "3 messages of /a");
 }
 
 TEST_CASE("other versions, encrypted bags and no bags are refused") {

@@ -23,6 +23,7 @@ struct Database {
     std::vector<std::string> found;
     const auto file = open();
     REQUIRE(file.isOk());
+    FileDamage damage;
     file.value()->visit(
         [&](const Topic& topic, std::int64_t, const MessagePlace& place, Bytes message) {
           found.push_back(topic.name + std::string(asText(message)));
@@ -30,7 +31,8 @@ struct Database {
           REQUIRE(again.isOk());
           CHECK(asText(again.value()) == asText(message));
         },
-        problems);
+        damage);
+    problems = damage.problems;
     return found;
   }
 };
@@ -69,8 +71,8 @@ TEST_CASE("times of recording before 1970 are told once, and not as damage") {
   CHECK(database.messages(problems).size() == 2);
   CHECK(problems == std::vector<std::string>{
                         "message 2 was recorded at -5000000000 ns, before 1970, and 1 more like "
-                        "it: the clock was wrong; correct the column timestamp, or leave them out "
-                        "by on_corrupt: skip"});
+                        "it: the clock was wrong; correct the times of recording, or leave "
+                        "such messages out by on_corrupt: skip"});
 }
 
 TEST_CASE("a damaged database and one that is no bag") {

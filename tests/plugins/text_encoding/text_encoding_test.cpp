@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "support/data.hpp"
+#include "support/few_descriptors.hpp"
 
 namespace tolman::text_encoding {
 namespace {
@@ -67,6 +68,15 @@ TEST_CASE("the problem of a file; a folder and what is missing have none") {
   CHECK(encodingProblemOf(folder.path() / "a.txt") == "is UTF-16; save it as UTF-8");
   CHECK(encodingProblemOf(folder.path()).empty());
   CHECK(encodingProblemOf(folder.path() / "none").empty());
+}
+
+TEST_CASE("a file that cannot be opened for want of descriptors is told as such") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "a.txt";
+  std::ofstream(file) << kText;
+  CHECK(encodingProblemOf(file).empty());
+  const test::FewDescriptors none(0);
+  CHECK(encodingProblemOf(file) == "cannot be opened; allow more open files (`ulimit -n`)");
 }
 
 }  // namespace tolman::text_encoding

@@ -116,7 +116,7 @@ TEST_CASE("lines that are no pose are refused with their number") {
   CHECK(PoseFile("1 0 0 -inf 0 1 0 0 0 0 1 0\n").refusal() ==
         "drive.txt:1: '-inf' is no finite number; correct the pose");
   CHECK(PoseFile("1 0 0 1e999 0 1 0 0 0 0 1 0\n").refusal() ==
-        "drive.txt:1: '1e999' is no finite number; correct the pose");
+        "drive.txt:1: '1e999' is too large for a double; correct the pose");
   CHECK(PoseFile("1 0 0 3.5m 0 1 0 0 0 0 1 0\n").refusal() ==
         "drive.txt:1: '3.5m' is no finite number; correct the pose");
 }
