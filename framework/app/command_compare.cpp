@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman compare: tables and figures of many runs.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -122,8 +124,9 @@ void refuseInputs(const CompareCommand& command) {
   for (const std::string& file : files) {
     for (const std::string& run : command.runs) {
       if (!isOfInput(record::truePath(file), record::truePath(run))) continue;
-      throw Ended{ExitCode::Usage, file + ": belongs to " + run +
-                                       ", which is compared; choose a file outside of it"};
+      throw Ended{ExitCode::Usage,
+                  fmt::format("{}: belongs to {}, which is compared; choose a file outside of it",
+                              file, run)};
     }
   }
 }
@@ -175,6 +178,7 @@ void compare(CompareCommand& command, const Invocation& invocation) {
     return;
   }
   std::vector<std::filesystem::path> written;
+  written.reserve(files.size());
   for (const record::OutputFile& file : files) written.push_back(file.path);
   printFiles(written, invocation);
 }

@@ -42,6 +42,7 @@ struct ExportCommand {
 void refuseOther(const ExportCommand& command) {
   const std::filesystem::path folder = command.folder();
   std::vector<std::filesystem::path> files;
+  files.reserve(record::kExportedFiles.size() + 2);
   for (const std::string_view name : record::kExportedFiles) files.push_back(folder / name);
   if (command.nwb) files.push_back(folder / "run.nwb");
   if (command.npz) files.push_back(folder / "run.npz");

@@ -87,6 +87,7 @@ std::vector<host::LoadedPlugin> openAll(const std::vector<std::string>& ids,
                                         const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   std::vector<host::LoadedPlugin> opened;
+  opened.reserve(ids.size());
   for (const std::string& id : ids) opened.push_back(open(catalogue, id));
   return opened;
 }

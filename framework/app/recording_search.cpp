@@ -319,12 +319,14 @@ class Search {
     Result<Probe> tried = probeWith(times);
     if (tried.isOk()) {
       found_.best = std::move(tried).value();
-    } else if (tried.status().code() == StatusCode::InvalidInput) {
+      return true;
+    }
+    if (tried.status().code() == StatusCode::InvalidInput) {
       std::string reason = tried.status().message();
       std::ranges::replace(reason, '\n', ' ');
       found_.unread_times.push_back(std::move(reason));
     }
-    return tried.isOk();
+    return false;
   }
 
   fs::path recording_;

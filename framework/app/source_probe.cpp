@@ -2,6 +2,7 @@
 // Also the internal command `tolman probe-source`, which runs in that process.
 #include "app/source_probe.hpp"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -96,7 +97,7 @@ std::optional<Probe> readProbe(const std::string& output) {
 
 std::string sourceSection(const std::string& plugin, const SourceValues& values) {
   std::string text = "source:\n  plugin: " + plugin + "\n";
-  for (const auto& [name, value] : values) text += "  " + name + ": " + value + "\n";
+  for (const auto& [name, value] : values) text += fmt::format("  {}: {}\n", name, value);
   return text;
 }
 

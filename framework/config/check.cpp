@@ -142,14 +142,16 @@ void refuseUnknown(const Node& map, const Schema& schema, const Subject& subject
                            : own.empty()         ? subject.owner + " has no parameters"
                                          : "parameters of " + subject.owner + ": " + listed(own);
   const std::string unknown = subject.owner.empty() ? "unknown key" : "unknown parameter";
+  const auto notKnown = [&](const std::string& key) {
+    return unknown + didYouMean(key, known) + " (" + list + ")";
+  };
   for (const Node& child : map.children) {
     if (std::ranges::find(known, child.key) != known.end()) continue;
     const auto renamed = std::ranges::find_if(
         schema, [&](const ParameterInfo& info) { return wasCalled(info, child.key); });
-    problems.push_back({child.key_origin, joinPath(subject.path, child.key),
-                        renamed != schema.end()
-                            ? "was renamed to '" + renamed->name + "'"
-                            : unknown + didYouMean(child.key, known) + " (" + list + ")"});
+    problems.push_back(
+        {child.key_origin, joinPath(subject.path, child.key),
+         renamed != schema.end() ? "was renamed to '" + renamed->name + "'" : notKnown(child.key)});
   }
 }
 

@@ -106,12 +106,12 @@ void CheckContext::note(const std::string& message) const {
   report(CheckSeverity::Ok, message, {});
 }
 
-void CheckContext::error(const std::string& message, std::string remedy) const {
-  report(CheckSeverity::Error, message, remedy.empty() ? remedy_ : std::move(remedy));
+void CheckContext::error(const std::string& message, const std::string& remedy) const {
+  report(CheckSeverity::Error, message, remedy.empty() ? remedy_ : remedy);
 }
 
-void CheckContext::warning(const std::string& message, std::string remedy) const {
-  report(CheckSeverity::Warning, message, remedy.empty() ? remedy_ : std::move(remedy));
+void CheckContext::warning(const std::string& message, const std::string& remedy) const {
+  report(CheckSeverity::Warning, message, remedy.empty() ? remedy_ : remedy);
 }
 
 void CheckContext::skip(const std::string& reason) const {

@@ -46,8 +46,8 @@ class CheckContext {
 
   /// Describes the input of the calls that follow.
   void currentInput(const std::string& description) const { send_(CurrentInput{description}); }
-  void error(const std::string& message, std::string remedy = {}) const;
-  void warning(const std::string& message, std::string remedy = {}) const;
+  void error(const std::string& message, const std::string& remedy = {}) const;
+  void warning(const std::string& message, const std::string& remedy = {}) const;
   void note(const std::string& message) const;
   void measured(const std::string& name, double value, const std::string& unit) const {
     send_(Measurement{name, value, unit});

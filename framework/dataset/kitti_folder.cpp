@@ -87,6 +87,7 @@ Status mayBeWritten(const fs::path& folder, bool replace) {
                           "), so --force does not replace it; choose another --out");
   }
   std::vector<fs::path> texts;
+  texts.reserve(kTextFiles.size());
   for (const std::string_view name : kTextFiles) texts.push_back(folder / name);
   const Status status = record::refuseFolders(texts, "--out");
   return status.isOk() ? record::refuseLinks(folder, kImageFolders) : status;

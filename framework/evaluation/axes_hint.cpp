@@ -113,7 +113,7 @@ std::string axesHint(const Matches& matches) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(steps.products,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  const Eigen::Vector3d s = svd.singularValues();
+  const Eigen::Vector3d& s = svd.singularValues();
   const double together = meanAngle(s[0] + s[1] + sign * s[2], steps);
   if (together > kTogether) return "";
   return fmt::format(

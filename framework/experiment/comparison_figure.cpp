@@ -112,7 +112,7 @@ std::string boxes(const Comparison& comparison) {
                   {0.4, count + 0.6},
                   figureRange(low, high),
                   report::frame(64, 12, kFigureWidth - 12, kFigureHeight - 60)});
-  const Eigen::AlignedBox2d place = axes.box();
+  const Eigen::AlignedBox2d& place = axes.box();
   const double foot = place.max().y();
   svg.rectangle({place.min().x() - 10, foot + 1}, {place.sizes().x() + 20, 40}, report::kPaper);
   for (std::size_t i = 0; i < comparison.levels.size(); ++i) {

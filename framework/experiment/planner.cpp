@@ -122,7 +122,8 @@ class Planner {
   /// Applies `*.plugin` and whole sections before single keys, because naming another plugin
   /// discards the parameters set so far.
   void apply(Node& tree, std::vector<Setting> settings) {
-    std::ranges::stable_partition(settings, [](const Setting& setting) {
+    // Not of std::ranges: clang 14, and so clang-tidy, cannot compile its result.
+    std::stable_partition(settings.begin(), settings.end(), [](const Setting& setting) {
       return setting.key.ends_with(".plugin") || setting.value->isMap();
     });
     for (const Setting& setting : settings) {

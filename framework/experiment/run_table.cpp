@@ -32,7 +32,7 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, do
   if (!json.is_structured()) return;
   for (const auto& [key, value] : json.items()) {
     if (path.empty() && key == "sessions") continue;
-    flatten(value, path.empty() ? key : path + "." + key, numbers);
+    flatten(value, path.empty() ? key : fmt::format("{}.{}", path, key), numbers);
   }
 }
 

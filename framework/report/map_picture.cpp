@@ -148,9 +148,10 @@ std::string panelRows(const std::vector<MapPicture>& pictures, double long_side)
   const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
   Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::size_t column = i % kPanelsInARow;
+    const std::size_t row = i / kPanelsInARow;
     panels.draw(svg, i,
-                {cell.x() * static_cast<double>(i % kPanelsInARow),
-                 cell.y() * static_cast<double>(i / kPanelsInARow)});
+                {cell.x() * static_cast<double>(column), cell.y() * static_cast<double>(row)});
   }
   return svg.take();
 }

@@ -30,6 +30,7 @@ std::string row(const std::string& label, const std::vector<std::string>& cells)
 /// because they are many.
 std::string settingRows(const std::vector<RunPage>& runs) {
   std::vector<const config::Node*> trees;
+  trees.reserve(runs.size());
   for (const RunPage& run : runs) trees.push_back(&run.settings);
   auto differences = config::differencesOf(trees);
   std::erase_if(differences, [](const config::Difference& difference) {

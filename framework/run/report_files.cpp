@@ -51,8 +51,9 @@ class ReportFiles {
     add(sub, name + ".svg", svg);
     if (!pixels) return Status::ok();
     auto png = report::pngOf(svg);
-    if (png.isOk()) add(sub, name + ".png", std::move(png).value());
-    return png.status();
+    if (!png.isOk()) return png.status();
+    add(sub, name + ".png", std::move(png).value());
+    return Status::ok();
   }
   Status addFigures(const std::string& sub, const report::RunPage& page, bool pixels) {
     Status status;
@@ -102,6 +103,7 @@ Result<std::vector<fs::path>> writeReport(
     const report::UnitChoice& units) {
   std::vector<report::RunPage> pages;
   std::vector<fs::path> directories;
+  directories.reserve(runs.size());
   for (const auto& run : runs) directories.push_back(run->directory());
   const std::vector<std::string> names = distinctNames(directories);
   for (std::size_t i = 0; i < runs.size(); ++i) {  // reads all runs before it writes a file

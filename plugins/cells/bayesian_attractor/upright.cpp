@@ -44,7 +44,7 @@ Eigen::Vector3d Upright::upOfVehicle() const {
   Eigen::Matrix<double, 3, 2> across;
   across << up, ahead.cross(up);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> turned(across.transpose() * turns * across);
-  const Eigen::Vector2d amount = turned.eigenvalues();  // ascending
+  const Eigen::Vector2d& amount = turned.eigenvalues();  // ascending
   if (amount[1] < kMinTurns || amount[1] < kOneAxis * amount[0]) return up;
   const Eigen::Vector3d axis = across * turned.eigenvectors().col(1);
   return axis.dot(up) < 0 ? Eigen::Vector3d(-axis) : axis;

@@ -19,13 +19,15 @@ int wrapped(int value, int size) { return ((value % size) + size) % size; }
 }  // namespace
 
 std::vector<float> gaussianKernel(int width, double sigma) {
+  const int middle = width / 2;
   std::vector<double> weights;
   for (int k = 0; k < width; ++k) {
-    const double off = (k - width / 2) / sigma;
+    const double off = (k - middle) / sigma;
     weights.push_back(std::exp(-0.5 * off * off));
   }
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   std::vector<float> kernel;
+  kernel.reserve(weights.size());
   for (const double weight : weights) kernel.push_back(static_cast<float>(weight / sum));
   return kernel;
 }

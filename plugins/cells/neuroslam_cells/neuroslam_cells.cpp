@@ -46,7 +46,8 @@ Status NeuroslamCells::reset() {
                        ActivityTorus({p.side, p.side, p.side}),
                        HabituatingViews<ConjunctivePlace>({1, p.active_decay, p.restore}),
                        ExperienceMemory(p.experience_threshold, periods)});
-  const auto middle = static_cast<double>(p.side / 2);
+  const int middle_cell = p.side / 2;
+  const auto middle = static_cast<double>(middle_cell);
   state_->grid.add({middle, middle, middle}, 1);
   state_->head.add({0, middle, 0}, 1);
   state_->estimate = {middle, middle, middle, 0};

@@ -27,6 +27,7 @@ template <int kSize>
 void BlockCholesky<kSize>::findOrder(const std::vector<Entry>& entries) {
   const auto size = static_cast<Eigen::Index>(step_of_.size());
   std::vector<Eigen::Triplet<double>> pattern;
+  pattern.reserve(entries.size() + step_of_.size());
   for (const auto& [row, column] : entries) {
     pattern.emplace_back(static_cast<int>(row), static_cast<int>(column), 1);
   }

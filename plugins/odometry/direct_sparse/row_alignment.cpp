@@ -80,8 +80,10 @@ void RowAlignment::observe(const GrayLevel& left, const GrayLevel& right,
 bool RowAlignment::isSignificant() const {
   constexpr int kGrid = 5;  // places each way
   for (int i = 0; i < kGrid * kGrid; ++i) {
-    const double u = (i % kGrid) * (width_ - 1.0) / (kGrid - 1);
-    const double v = (i / kGrid) * (height_ - 1.0) / (kGrid - 1);
+    const int column = i % kGrid;
+    const int row = i / kGrid;
+    const double u = column * (width_ - 1.0) / (kGrid - 1);
+    const double v = row * (height_ - 1.0) / (kGrid - 1);
     const double shift = std::fabs(field_.at(u, v, width_, height_));
     if (shift > 0.1 && shift > 3 * sigmaAt(u, v)) return true;
   }

@@ -90,8 +90,10 @@ void RowShift::set(const SmoothField& field, int width, int height) {
   const int blocks = across_ * ((height + kRows - 1) / kRows);
   steps_.resize(static_cast<std::size_t>(blocks));
   for (int i = 0; i < blocks; ++i) {
-    const double u = (i % across_ + 0.5) * kColumns - 0.5;
-    const double v = (i / across_ + 0.5) * kRows - 0.5;
+    const int column = i % across_;
+    const int row = i / across_;
+    const double u = (column + 0.5) * kColumns - 0.5;
+    const double v = (row + 0.5) * kRows - 0.5;
     const double shift = std::clamp(field.at(u, v, width, height), -1.0 * kMost, 1.0 * kMost);
     steps_[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(std::lround(kSteps * shift));
   }

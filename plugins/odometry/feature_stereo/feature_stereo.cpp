@@ -184,6 +184,7 @@ std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyram
 std::vector<FeatureStereo::StereoCorner> FeatureStereo::findCandidates(
     const StereoPyramids& images, const std::vector<Track>& tracks) const {
   std::vector<cv::Point2f> occupied;
+  occupied.reserve(tracks.size());
   for (const Track& track : tracks) occupied.push_back(track.pixel);
   const std::vector<cv::Point2f> corners =
       detectCorners(images.left.level(0), occupied, corner_settings_);

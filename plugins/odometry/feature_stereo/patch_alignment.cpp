@@ -20,6 +20,12 @@ constexpr int kExact = 256;
 constexpr int kRightOne = 1 << 7;
 constexpr int kBelowOne = 1 << 15;
 
+/// From the centre of a patch to that of its outer pixels.
+float radiusOf(int side) {
+  const int radius = side / 2;
+  return static_cast<float>(radius);
+}
+
 TOLMAN_INLINE Shorts loadWidened(const uchar* p) {
   Bytes bytes;
   std::memcpy(&bytes, p, sizeof bytes);
@@ -165,7 +171,7 @@ Patch::Patch(int side)
 
 bool Patch::take(const PaddedImage& image, const cv::Point2f& centre) {
   if (!isReadable(image, centre)) return false;
-  const auto radius = static_cast<float>(side_ / 2);
+  const float radius = radiusOf(side_);
   const int lanes = toLanes(side_ + 2);
   interpolateAt(image, centre - cv::Point2f(radius + 1, radius + 1), side_ + 2, lanes,
                 buffer_.data());
@@ -197,7 +203,7 @@ bool Patch::take(const PaddedImage& image, const cv::Point2f& centre) {
 
 bool Patch::align(const PaddedImage& image, cv::Point2f& centre, float tolerance) {
   constexpr int kMaxSteps = 30;  // chosen, not tuned; about three are usual
-  const auto radius = static_cast<float>(side_ / 2);
+  const float radius = radiusOf(side_);
   cv::Point2f last(0, 0);
   for (int k = 0; k < kMaxSteps; ++k) {
     if (!isReadable(image, centre)) return false;

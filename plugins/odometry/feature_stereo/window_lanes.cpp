@@ -172,7 +172,7 @@ double addGroups(const LaneCamera& camera, const PlainState& state, double dampi
       scaleRows(e.weights, by_pose);
       addPose(by_pose, by_point, e, k - 1, poses, sums, seen.coupling);
     }
-    for (const std::size_t i : {0, 3, 5}) {
+    for (const std::size_t i : {0U, 3U, 5U}) {
       point.information[i] = point.information[i] * (1 + damping) + kRegular;
     }
     group.inverse = inverseOf(point.information);
