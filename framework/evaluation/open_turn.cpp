@@ -21,7 +21,8 @@ constexpr double kSameError = 1.05;
 constexpr double kMovedShare = 0.1;  // of the squared error
 
 // Between the alignment and the orientations: a sixth of the vertical error then counts as
-// horizontal. Reasoned, not tuned; the header says how far estimates of cameras are from it.
+// horizontal. Chosen on the clip of KITTI 06: two estimates of 250 and 281 frames had 7 and 8
+// degrees.
 constexpr double kTilted = 10 * std::numbers::pi / 180;
 // Of the true path: such an error is that of an ordinary estimate. Chosen, not tuned.
 constexpr double kOrdinary = 0.01;

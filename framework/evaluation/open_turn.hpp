@@ -18,7 +18,6 @@ bool turnIsOpen(const Matches& aligned);
 /// 1 % of the true path. The turn is the one that brings the estimated orientations nearest to the
 /// true ones, or its part about a principal direction of the truth. Positions alone would exchange
 /// horizontal and vertical errors where the path is straight but for swings smaller than the error.
-/// (Estimates of ordinary drives are tilted by less than 2 degrees.)
 bool turnIsContradicted(const Matches& aligned);
 
 }  // namespace tolman::evaluation
