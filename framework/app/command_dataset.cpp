@@ -76,8 +76,8 @@ void surveyPairs(pipeline::RectifiedSource& source, Findings& findings) {
   if (!source.cutText().empty()) {
     findings.push_back({Finding::Severity::Note, "images", source.cutText()});
   }
-  if (!source.doubt().empty()) {
-    findings.push_back({Finding::Severity::Warning, "cameras", source.doubt()});
+  for (const std::string& doubt : source.doubts()) {
+    findings.push_back({Finding::Severity::Warning, "cameras", doubt});
   }
   if (!info.rig.isStereo()) return;
   imaging::PairSurvey survey;

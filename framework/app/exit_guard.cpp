@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/exit_guard.hpp"
 
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -12,29 +13,50 @@
 namespace tolman::app {
 namespace {
 
-/// Handlers of exit() take no argument and cannot be removed, so what they look at is static.
-std::atomic<bool>& runIsOpen() {
-  static std::atomic<bool> open = false;
-  return open;
+/// The process whose run is open; 0 for none. Handlers of exit() take no argument and cannot be
+/// removed, and _exit() takes only the code, so what they look at is static.
+std::atomic<::pid_t>& processOfRun() {
+  static constinit std::atomic<::pid_t> process = 0;
+  return process;
 }
 
+[[noreturn]] void endProcess(int code) {
+  for (;;) ::syscall(SYS_exit_group, code);
+}
+
+/// Ends the process if its run is open. A child that a plugin has forked may end as it likes.
 void onExit() {
-  if (!runIsOpen()) return;
+  if (processOfRun() != ::getpid()) return;
   constexpr std::string_view kText =
       "tolman: a plugin has called exit() in the host process, so the run is not complete; "
       "`isolation: process` of the stage protects the run, and `tolman run --resume` goes on from "
       "the last saved state\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kText.data(), kText.size());
-  ::_exit(static_cast<int>(ExitCode::PluginFailed));
+  endProcess(static_cast<int>(ExitCode::PluginFailed));
 }
 
 }  // namespace
 
 ExitGuard::ExitGuard() {
   static const bool registered = std::atexit(onExit) == 0 && std::at_quick_exit(onExit) == 0;
-  runIsOpen() = registered;
+  if (registered) processOfRun() = ::getpid();
 }
 
-ExitGuard::~ExitGuard() { runIsOpen() = false; }
+ExitGuard::~ExitGuard() { processOfRun() = 0; }
 
 }  // namespace tolman::app
+
+// In place of those of the C library, for the program and for the libraries that it opens: the
+// linker exports functions of a program that one of its libraries also defines.
+extern "C" {
+
+[[noreturn]] void _exit(int code) {  // NOLINT: the name is that of POSIX
+  tolman::app::onExit();
+  tolman::app::endProcess(code);
+}
+
+[[noreturn]] void _Exit(int code) noexcept {  // NOLINT: the name is that of C
+  tolman::app::onExit();
+  tolman::app::endProcess(code);
+}
+}

@@ -5,8 +5,9 @@
 
 namespace tolman::app {
 
-/// While one exists, exit() and quick_exit() end the program with ExitCode::PluginFailed and a
-/// message. _exit() cannot be caught. At most one at a time.
+/// While one exists, exit(), quick_exit(), _exit() and _Exit() end the process that made it with
+/// ExitCode::PluginFailed and a message; its forked children are not affected. A system call
+/// (exit_group) cannot be caught. At most one at a time.
 class ExitGuard {
  public:
   ExitGuard();

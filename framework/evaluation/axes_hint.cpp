@@ -93,13 +93,14 @@ double errorWithOrientations(const Matches& aligned) {
   return absoluteError(evaluation::aligned(aligned, about_mean)).rmse;
 }
 
-}  // namespace
-
+/// Whether the positions hardly determine the turn that contradicts the orientations.
 bool isTurnedFreely(const Matches& aligned) {
   constexpr double kFree = 0.01;  // of the true path; 0.002 on the first metres of KITTI 06
   return orientationsApart(aligned) > kReversed &&
          errorWithOrientations(aligned) <= kFree * pathLength(aligned.truth);
 }
+
+}  // namespace
 
 std::string axesHint(const Matches& matches) {
   const Steps steps = stepsOf(matches.truth, matches.estimate);

@@ -18,15 +18,11 @@ std::string axesHint(const Matches& matches);
 
 /// A warning if the aligned positions agree within a twentieth of the true path, but the directions
 /// of motion, each in its camera's own axes, differ by more than 45 degrees in the mean, or the
-/// aligned orientations by more than 90 degrees in the median without being isTurnedFreely(), as
-/// for mirrored positions; else empty.
+/// aligned orientations by more than 90 degrees in the median, as for mirrored positions; else
+/// empty. Of the latter no warning is given where the positions also agree, within a hundredth of
+/// the true path, after the rotation that aligns the orientations: that path is nearly straight, so
+/// the positions hardly determine the rotation about it.
 std::string rotationHint(const Matches& aligned);
-
-/// Whether the aligned orientations differ by more than 90 degrees (median) from the true ones, but
-/// the positions also agree, within a hundredth of the true path, after the rotation that aligns
-/// the orientations: the path is nearly straight, so the positions hardly determine the rotation
-/// about it.
-bool isTurnedFreely(const Matches& aligned);
 
 /// A sentence if the poses move along their own x axis and more along the y than along the z axis
 /// of the first pose, as poses with x forward and z up do: y is read as down, by se2 and by the

@@ -151,12 +151,12 @@ void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
     scores.no_horizontal = scores.no_vertical = hint;
     return;
   }
-  if (alignment != Alignment::None && (turnIsOpen(pairs) || isTurnedFreely(pairs))) {
+  if (alignment != Alignment::None && (turnIsOpen(pairs) || turnIsContradicted(pairs))) {
     scores.no_horizontal = scores.no_vertical =
         "the path does not say how the estimate is turned about it: a quarter turn would change "
-        "the error by less than 5 %, or the orientations contradict the turn; the alignment none, "
-        "if both have the same axes, tells them "
-        "apart";
+        "the error by less than 5 %, or the orientations of the estimate differ from those of the "
+        "alignment by a tilt of more than 10 degrees; the alignment none, if both have the same "
+        "axes, tells them apart";
     return;
   }
   scores.horizontal_m = absoluteError(pairs, Direction::Horizontal);

@@ -5,6 +5,8 @@
 #include <chrono>
 
 #include "host/frame_images.hpp"
+#include "imaging/baseline_check.hpp"
+#include "imaging/pixel_check.hpp"
 #include "imaging/rectified_view.hpp"
 #include "pipeline/task_isolation.hpp"
 
@@ -20,6 +22,12 @@ Status RectifiedSource::info(SourceInfo& info) {
     if (status.isOk() && !text.empty()) info.description += "; " + text;
   }
   return status;
+}
+
+std::vector<std::string> RectifiedSource::doubts() const {
+  std::vector<std::string> doubts = {imaging::baselineDoubt(rig_), imaging::pixelDoubt(rig_)};
+  std::erase(doubts, "");
+  return doubts;
 }
 
 Status RectifiedSource::prepareCut(CameraRig& rig) {

@@ -9,7 +9,6 @@
 
 #include "config/settings.hpp"
 #include "host/stages.hpp"
-#include "imaging/baseline_check.hpp"
 #include "imaging/image_cut.hpp"
 #include "imaging/pixel_map.hpp"
 
@@ -39,8 +38,9 @@ class RectifiedSource : private host::SourceStage {
   const std::string& text() const { return text_; }
   /// How the images are cropped and scaled, likewise; empty for whole images. After info().
   std::string cutText() const { return cut_.text(); }
-  /// Why the baseline of the stereo pair is doubtful, likewise; empty if it is not. After info().
-  std::string doubt() const { return imaging::baselineDoubt(rig_); }
+  /// Why the baseline of the stereo pair and the focal lengths are doubtful, likewise; none if they
+  /// are not. After info().
+  std::vector<std::string> doubts() const;
   /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
   std::int64_t rectifyingNs() const { return rectifying_ns_; }
 

@@ -18,6 +18,7 @@
 #include "record/output_places.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_files.hpp"
+#include "record/sqlite.hpp"
 
 namespace tolman::record {
 namespace {
@@ -39,9 +40,8 @@ std::string folderName(const RunDirectoryOptions& options) {
 }
 
 /// Creates a new folder; two runs in the same second get different ones.
-fs::path makeNamed(const RunDirectoryOptions& options) {
+fs::path makeNamed(const RunDirectoryOptions& options, const std::string& name) {
   fs::create_directories(options.root);
-  const std::string name = folderName(options);
   fs::path path = options.root / name;
   for (int i = 2; !fs::create_directory(path); ++i) {
     path = options.root / (name + "-" + std::to_string(i));
@@ -69,6 +69,17 @@ Status cannotBeMade(const fs::path& path, const std::error_code& why) {
                         "); choose another with --out");
 }
 
+/// Refuses a directory, which need not exist, whose run.sqlite SQLite cannot open.
+Status refuseLongPath(const fs::path& path) {
+  constexpr std::size_t kLongest = kLongestDatabasePath - std::string_view("/run.sqlite").size();
+  const std::size_t length = truePath(path).native().size();
+  if (length <= kLongest) return Status::ok();
+  return Status::failed(fmt::format(
+      "{}: its path has {} bytes, and SQLite opens run.sqlite only in a directory whose absolute "
+      "path, without symbolic links, has at most {}; choose a shorter --out",
+      path.string(), length, kLongest));
+}
+
 /// Ok for an empty folder, and with `replace` for that of an earlier run.
 Status mayReplace(const fs::path& path, bool replace) {
   std::error_code error;
@@ -90,6 +101,7 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
   try {
     if (options.out) {
       if (Status own = refuseRunPlaces(*options.out, "--out"); !own.isOk()) return own;
+      if (Status length = refuseLongPath(*options.out); !length.isOk()) return length;
       fs::create_directories(*options.out);
       const fs::path out = fs::canonical(*options.out);
       Result<RunDirectory> directory = lock(out, kOther);
@@ -99,9 +111,11 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
       if (!status.isOk()) return status;
       return directory;
     }
-    const fs::path named = options.root / folderName(options);
+    const std::string name = folderName(options);
+    const fs::path named = options.root / name;
     if (Status own = refuseRunPlaces(named, "--out"); !own.isOk()) return own;
-    const fs::path path = fs::canonical(makeNamed(options));
+    if (Status length = refuseLongPath(named); !length.isOk()) return length;
+    const fs::path path = fs::canonical(makeNamed(options, name));
     pointLatestAt(path);
     return lock(path, kOther);
   } catch (const fs::filesystem_error& error) {
@@ -201,6 +215,7 @@ bool RunDirectory::hasEnded(const std::filesystem::path& path) {
 
 Status RunDirectory::mayTake(const fs::path& path, bool replace) {
   if (Status own = refuseRunPlaces(path, "--out"); !own.isOk()) return own;
+  if (Status length = refuseLongPath(path); !length.isOk()) return length;
   std::error_code error;
   if (!fs::exists(path, error)) return Status::ok();
   if (!fs::is_directory(path, error)) {

@@ -34,7 +34,8 @@ Revisions lastRevisions(const Database& database) {
 }
 
 /// Frames whose odometry was lost or initialising. The last frame before the first tracked one of a
-/// session is its origin and counts as tracked; before later ones the pose is unknown.
+/// session, whatever its state, is the session's origin and counts as tracked: the first tracked
+/// motion begins there. Before later ones the pose is unknown.
 std::set<std::int64_t> untrackedFrames(const Database& database) {
   std::set<std::int64_t> beginnings;
   forEachRow<RecordedSession>(
@@ -46,14 +47,16 @@ std::set<std::int64_t> untrackedFrames(const Database& database) {
   while (rows.step()) {
     const std::int64_t frame = rows.next().getInt64();
     const std::string state = rows.next().getString();
-    if (beginnings.contains(frame)) has_tracked = false;
+    if (beginnings.contains(frame)) {
+      has_tracked = false;
+      origin = -1;
+    }
     if (state == enumName(TrackingState::Tracking)) {
       frames.erase(std::exchange(origin, -1));
       has_tracked = true;
     } else {
       frames.insert(frame);
-      const bool begins = state == enumName(TrackingState::Initialising) && !has_tracked;
-      origin = begins ? frame : -1;
+      origin = has_tracked ? -1 : frame;
     }
   }
   return frames;

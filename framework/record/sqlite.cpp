@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include "record/descriptor_limit.hpp"
@@ -59,6 +61,11 @@ Database openDatabase(const std::filesystem::path& file, Access access) {
   const int mode = access == Access::Create  ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE
                    : access == Access::Write ? SQLite::OPEN_READWRITE
                                              : SQLite::OPEN_READONLY;
+  if (file.native().size() > kLongestDatabasePath) {
+    throw std::runtime_error("its path has " + std::to_string(file.native().size()) +
+                             " bytes, and SQLite opens " + std::to_string(kLongestDatabasePath) +
+                             "; move it, or enter a folder on the way to it");
+  }
   if (access == Access::ReadOnly) rollBackJournal(file);
   Database database(file.string(), mode | SQLite::OPEN_FULLMUTEX, kBusyTimeoutMs);
   database.exec(

@@ -24,6 +24,9 @@ class BadRow : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Bytes of an absolute path without symbolic links: SQLite allows 512, and appends `-journal`.
+inline constexpr std::size_t kLongestDatabasePath = 504;
+
 enum class Access : std::uint8_t { Create, Write, ReadOnly };
 /// One connection. Not thread-safe.
 Database openDatabase(const std::filesystem::path& file, Access access);

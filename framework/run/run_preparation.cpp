@@ -68,8 +68,9 @@ void Run::prepare(CheckedSystem system) {
   checkOut(system.config.general.continue_from);
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
-  const std::string doubt = assembly_->source().doubt();
-  if (!doubt.empty()) log_.write(LogLevel::Warning, "source", doubt);
+  for (const std::string& doubt : assembly_->source().doubts()) {
+    log_.write(LogLevel::Warning, "source", doubt);
+  }
   if (!options_.resume.empty()) {
     resumeRun();
     return;

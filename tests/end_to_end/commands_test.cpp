@@ -146,6 +146,26 @@ TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
   CHECK(none.err.empty());  // once is enough
 }
 
+TEST_CASE("focal lengths that hardly fit each other are a warning of dataset check and run") {
+  TemporaryFolder folder;
+  const auto sequence = folder.path() / "sequence";
+  writeTinyKitti(sequence, 4);
+  const auto config = writeTinyConfig(folder.path(), sequence);
+  const auto warnings = [&](const char* name) {
+    const Finished check = tolman::test::tolman({"dataset", "check", sequence.string()});
+    const Finished run = tolman::test::tolman(tinyRun(config, folder.path() / name));
+    INFO(check.out << run.err);
+    CHECK(check.exit_code == 0);
+    CHECK(run.exit_code == 0);
+    const std::string text = "the focal lengths of the rectified images are 100 px horizontally";
+    return std::pair(contains(check.out, text), contains(run.err, text));
+  };
+  CHECK(warnings("square") == std::pair(false, false));
+  std::ofstream(sequence / "calib.txt") << "P0: 100 0 80 0 0 200 30 0 0 0 1 0\n"
+                                        << "P1: 100 0 80 -50 0 200 30 0 0 0 1 0\n";
+  CHECK(warnings("oblong") == std::pair(true, true));
+}
+
 TEST_CASE("dataset check sees the part and size of the images that a run would use") {
   TemporaryFolder folder;
   const auto sequence = folder.path() / "sequence";

@@ -79,15 +79,33 @@ TEST_CASE("a crash ends the run as a failing plugin does, and what was recorded 
   CHECK(fs::exists(attempt.out / "trajectory.tum"));
 }
 
-TEST_CASE("a plugin in the host that calls exit(0) does not end the program with 0") {
+namespace {
+
+/// Runs a tiny sequence with an odometry of `process_faults` in the host's process.
+Finished inHost(const std::string& plugin) {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 6);
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
-  const Finished finished = tolman::test::tolman(
-      {"run", config.string(), "--out", (folder.path() / "run").string(), "--plugin-path",
-       kFixturePlugins + "process_faults", "--set", "odometry={plugin: exit_}"});
-  CHECK(finished.exit_code == 7);
-  CHECK(contains(finished.err, "a plugin has called exit() in the host process"));
+  return tolman::test::tolman({"run", config.string(), "--out", (folder.path() / "run").string(),
+                               "--plugin-path", kFixturePlugins + "process_faults", "--set",
+                               "odometry={plugin: " + plugin + "}"});
+}
+
+}  // namespace
+
+TEST_CASE("a plugin in the host that ends the process does not end the program with 0") {
+  for (const char* plugin : {"exit_", "exit_at_once", "exit_of_c"}) {
+    const Finished finished = inHost(plugin);
+    INFO(plugin << ": " << finished.err);
+    CHECK(finished.exit_code == 7);
+    CHECK(contains(finished.err, "a plugin has called exit() in the host process"));
+  }
+}
+
+TEST_CASE("a child that a plugin in the host has forked may end as it likes") {
+  const Finished finished = inHost("fork_and_exit");
+  INFO(finished.err);
+  CHECK(finished.exit_code == 0);
 }
 
 TEST_CASE("on_failure: skip goes on without the stage") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
+#include <algorithm>
+
 #include "record/by_hand.hpp"
 #include "record/replay.hpp"
 #include "record/sample_run.hpp"
@@ -55,13 +57,20 @@ TEST_CASE("odometry is composed from the last revisions") {
   CHECK(poses[3].stamp_ns == 1'300'000'000);
 }
 
-TEST_CASE("poses without tracking are marked; the last before the first track is its origin") {
-  using enum TrackingState;
+namespace {
+
+/// Records one frame for each state, with sessions that begin at `beginnings`; `+` for a pose that
+/// counts as tracked, `-` for another.
+std::string trackedPoses(const std::vector<TrackingState>& states,
+                         const std::vector<std::int64_t>& beginnings) {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
   std::int64_t i = 0;
-  for (const TrackingState state : {Initialising, Initialising, Tracking, Lost, Lost, Tracking,
-                                    Initialising, Tracking, Initialising}) {
+  for (const TrackingState state : states) {
+    const auto session = std::ranges::find(beginnings, i) - beginnings.begin();
+    if (session < std::ssize(beginnings)) {
+      REQUIRE(recorder->session({session, i, "part", "made up"}).isOk());
+    }
     const Frame frame = test::frameAt(i);
     Motion motion = test::motionAt(i++);
     motion.state = state;
@@ -71,11 +80,29 @@ TEST_CASE("poses without tracking are marked; the last before the first track is
     REQUIRE(recorder->snapshot(snapshot).isOk());
   }
   REQUIRE(recorder->close().isOk());
-  const auto reader = RunReader::open(folder.path()).value();
-  const auto poses = reader->odometry().value();
   std::string tracked;
-  for (const auto& pose : poses) tracked += pose.tracked ? '+' : '-';
-  CHECK(tracked == "-++--+-+-");
+  const auto reader = RunReader::open(folder.path()).value();
+  for (const auto& pose : reader->odometry().value()) tracked += pose.tracked ? '+' : '-';
+  return tracked;
+}
+
+}  // namespace
+
+TEST_CASE("poses without tracking are marked; the last before the first track is its origin") {
+  using enum TrackingState;
+  CHECK(trackedPoses({Initialising, Initialising, Tracking, Lost, Lost, Tracking, Initialising,
+                      Tracking, Initialising},
+                     {}) == "-++--+-+-");
+  CHECK(trackedPoses({Initialising, Lost, Lost, Tracking, Lost, Tracking}, {}) == "--++-+");
+  CHECK(trackedPoses({Tracking, Tracking}, {}) == "++");
+  CHECK(trackedPoses({Lost, Initialising}, {}) == "--");
+}
+
+TEST_CASE("each session has an origin of its own") {
+  using enum TrackingState;
+  CHECK(trackedPoses({Initialising, Tracking, Lost, Initialising, Lost, Tracking}, {0, 3}) ==
+        "++--++");
+  CHECK(trackedPoses({Initialising, Lost, Tracking, Tracking}, {0, 2}) == "--++");
 }
 
 TEST_CASE("the map's trajectory moves with its experiences") {

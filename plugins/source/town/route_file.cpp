@@ -121,6 +121,9 @@ Result<CameraRoute> readRoute(const fs::path& file, const RouteOptions& options)
     return Status::invalidParameter("rate must be positive; give frames/s");
   }
   std::error_code failure;
+  if (fs::exists(file, failure) && !fs::is_regular_file(file, failure)) {
+    return Status::invalidInput(name + ": is a folder or device; give a KITTI pose file");
+  }
   if (!fs::is_regular_file(file, failure)) {
     return Status::invalidInput(name +
                                 ": there is no such file; correct the path, or use block, eights, "

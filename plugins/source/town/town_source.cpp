@@ -71,6 +71,13 @@ Status TownSource::setRig() {
   if (rig_.width < 32 || rig_.height < 32) {
     return Status::invalidParameter("scale leaves an image below 32 px; choose a larger one");
   }
+  constexpr std::int64_t kMostPixels = std::int64_t{8192} * 8192;  // a run uses 1.5 GiB and more
+  if (std::int64_t{rig_.width} * rig_.height > kMostPixels) {
+    return Status::invalidParameter(
+        "scale makes images of " + std::to_string(rig_.width) + " x " +
+        std::to_string(rig_.height) +
+        " px, and 8192 x 8192 px are rendered at most; choose a smaller width, height or scale");
+  }
   rig_.calibrated = true;
   // Pixel centres are at integers, so the image spans from -0.5.
   rig_.pinhole = {p.fx * s, p.fy * s, (p.cx + 0.5) * s - 0.5, (p.cy + 0.5) * s - 0.5};

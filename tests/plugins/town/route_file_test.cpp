@@ -103,7 +103,10 @@ TEST_CASE("files without a drive are refused") {
   CHECK(PoseFile("\n\n").refusal() == "drive.txt: has no pose; a drive needs two or more");
   CHECK(PoseFile(kStart).refusal() == "drive.txt: has one pose; a drive needs two or more");
   const TemporaryFolder folder;
-  CHECK_FALSE(readRoute(folder.path(), options).isOk());
+  for (const std::string& other : {folder.path().string(), std::string("/dev/null")}) {
+    CHECK(readRoute(other, options).status().message() ==
+          other + ": is a folder or device; give a KITTI pose file");
+  }
 }
 
 TEST_CASE("lines that are no pose are refused with their number") {

@@ -423,6 +423,9 @@ TEST_CASE("what cannot be driven is refused with a remedy") {
         std::string::npos);
   CHECK(refusal({{"scale", 0.05}, {"height", std::int64_t{100}}}) ==
         "scale leaves an image below 32 px; choose a larger one");
+  CHECK(refusal({{"width", std::int64_t{8192}}, {"height", std::int64_t{8192}}, {"scale", 4.0}}) ==
+        "scale makes images of 32768 x 32768 px, and 8192 x 8192 px are rendered at most; choose a "
+        "smaller width, height or scale");
   CHECK(refusal({{"gamma", std::vector<double>{1, 1, 1}}}) ==
         "gamma has 3 values; give 2: [left, right]");
 }

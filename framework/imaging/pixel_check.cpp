@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "imaging/pixel_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tolman::imaging {
+
+std::string pixelDoubt(const CameraRig& rig) {
+  constexpr double kMost = 1.05;  // cameras of KITTI, EuRoC and TUM-VI: 1.00 to 1.003; not tuned
+  const auto [least, most] = std::minmax(rig.pinhole.fx, rig.pinhole.fy);
+  if (!rig.calibrated || !(least > 0) || most <= kMost * least) return "";
+  return fmt::format(
+      "the focal lengths of the rectified images are {:.5g} px horizontally and {:.5g} px "
+      "vertically, and pixels of cameras are nearly square: if the images were not resized by "
+      "different factors in the two directions, correct fx or fy in the calibration",
+      rig.pinhole.fx, rig.pinhole.fy);
+}
+
+}  // namespace tolman::imaging
