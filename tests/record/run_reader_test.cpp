@@ -255,7 +255,8 @@ TEST_CASE("a record whose rows were removed after its end is refused") {
     const test::TemporaryFolder folder;
     auto recorder = Recorder::open(folder.path()).value();
     for (std::int64_t i = 0; i < 4; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
-    REQUIRE(recorder->finalPoses({{0, {}}, {1, {}}}).isOk());
+    const Eigen::Isometry3d start = Eigen::Isometry3d::Identity();
+    REQUIRE(recorder->finalPoses({{0, start}, {1, start}}).isOk());
     REQUIRE(recorder->close().isOk());
     CHECK(RunReader::open(folder.path()).isOk());
     SQLite::Database(folder.path() / "run.sqlite", SQLite::OPEN_READWRITE)

@@ -2,6 +2,7 @@
 // A context for plugins under test: logs into memory, keeps artefacts, never cancels.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ class TestContext : Logger, ArtefactWriter, Cancellation, Clock {
   bool interactive = false;
   bool quiet = false;
   std::int64_t now_ns = 0;
-  bool cancelled = false;
+  std::atomic<bool> cancelled = false;  // as in a run: other threads ask for it
 
  private:
   void write(LogLevel, std::string_view message) override { log.emplace_back(message); }

@@ -19,6 +19,7 @@ LineSearch::LineSearch(const LineSettings& settings) : settings_(settings) {
   for (int s = 0; s <= steps; ++s) {
     const double speed = settings.slowest + s * settings.speed_step;
     std::vector<std::int64_t> line;
+    line.reserve(static_cast<std::size_t>(settings.images));
     for (int k = 0; k < settings.images; ++k) line.push_back(std::lround(speed * k));
     lines_.push_back(std::move(line));
   }

@@ -149,6 +149,7 @@ void PlaceSearch::compareFrom(const ViewQuery& query, std::int64_t first) {
 std::vector<float> PlaceSearch::distancesOf(const ViewQuery& query,
                                             const std::vector<std::int64_t>& views) {
   std::vector<float> distances;
+  distances.reserve(views.size());
   for (const std::int64_t view : views) {
     distances.push_back(static_cast<float>(shiftOf(query, bank_, view).distance));
   }

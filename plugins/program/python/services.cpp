@@ -46,8 +46,9 @@ py::object servicesOf(const Context& context) {
 
 py::object valuesOf(const ParameterValues& values) {
   py::dict dict;
-  for (const auto& [name, value] : values) {
-    std::visit([&](const auto& held) { dict[toPython(name)] = toPython(held); }, value);
+  for (const auto& value : values) {  // a lambda of clang 14 cannot capture parts of it
+    std::visit([&](const auto& held) { dict[toPython(value.first)] = toPython(held); },
+               value.second);
   }
   return dict;
 }

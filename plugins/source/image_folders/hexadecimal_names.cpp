@@ -61,6 +61,7 @@ std::size_t usualLength(const std::vector<HexadecimalName>& names) {
 
 std::vector<std::size_t> hexadecimalOrder(const std::vector<std::string>& stems) {
   std::vector<HexadecimalName> names;
+  names.reserve(stems.size());
   for (const std::string& stem : stems) names.push_back(split(stem));
   const std::size_t length = usualLength(names);
   if (length < 2 || hasOtherLengths(names, length)) return {};

@@ -181,6 +181,7 @@ std::vector<fs::path> findImages(const fs::path& folder, Inspection& inspection)
 std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection) {
   const std::vector<fs::path> found = findImages(folder, inspection);
   std::vector<std::string> stems;
+  stems.reserve(found.size());
   for (const fs::path& file : found) stems.push_back(file.stem().string());
   const NameOrder order = orderNames(stems);
   reportDoubts(folder, found, order, inspection);

@@ -126,7 +126,7 @@ std::string keyOf(const ExactDecimal& number) {
   if (number.digits.empty()) return "1";
   std::string key;
   for (int byte = kBytes - 1; byte >= 0; --byte) {
-    key += static_cast<char>(static_cast<unsigned>(number.point + kMiddle) >> (8U * byte) & 0xffU);
+    key += static_cast<char>(static_cast<unsigned>(number.point + kMiddle) >> (8 * byte) & 0xffU);
   }
   key += number.digits + '\0';
   if (number.negative) std::ranges::transform(key, key.begin(), [](char c) { return ~c; });

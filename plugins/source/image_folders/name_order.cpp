@@ -76,6 +76,7 @@ std::vector<ImageName> parseAll(const std::vector<std::string>& stems, bool hexa
       stems, [](const std::string& stem) { return parseExactDecimal(stem).has_value(); });
   const bool numeric = !hexadecimal && 2 * numbers > std::ssize(stems);
   std::vector<ImageName> names;
+  names.reserve(stems.size());
   for (const std::string& stem : stems) names.push_back(parseImageName(stem, numeric));
   return names;
 }

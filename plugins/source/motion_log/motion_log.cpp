@@ -37,7 +37,9 @@ Status MotionLog::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   ready_ = load();
-  for (const auto& [file, text] : doubts_) context.log.warning(file + ": " + text);
+  for (const auto& [file, text] : doubts_) {
+    context.log.warning(std::string(file).append(": ").append(text));
+  }
   return ready_;
 }
 

@@ -48,8 +48,9 @@ Status Ros1Source::makeRigs() {
   const auto right = topic(topics.right, topics.right_info, camera_->rightInfo());
   auto rigs =
       ros_messages::makeRigs(parameters_, size_, left, topics.right.empty() ? nullptr : &right);
-  if (rigs.isOk()) rigs_ = std::move(rigs).value();
-  return rigs.status();
+  if (!rigs.isOk()) return rigs.status();
+  rigs_ = std::move(rigs).value();
+  return Status::ok();
 }
 
 /// Images cannot be received again, so only a source that has given none can be reset.

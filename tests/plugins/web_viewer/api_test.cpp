@@ -195,7 +195,8 @@ TEST_CASE("loops are told, those that are believed only now among them, and the 
   loop.decision.experience = 0;
   loop.decision.earlier = {{1, 0, Eigen::Isometry3d::Identity(), Matrix6d::Identity()}};
   REQUIRE(watched.viewer->observe(loop.snapshot()).isOk());
-  std::thread finishing([&] { watched.finish(); });
+  Status ended;
+  std::thread finishing([&] { ended = watched.end(); });
   std::vector<json> loops;
   json message;
   do {
@@ -203,6 +204,7 @@ TEST_CASE("loops are told, those that are believed only now among them, and the 
     if (message["type"] == "loop") loops.push_back(message);
   } while (message["type"] != "end");
   finishing.join();
+  CHECK(ended.isOk());
   REQUIRE(loops.size() == 2);
   CHECK(loops[0] == json({{"type", "loop"}, {"frame", 3}, {"seen_at", 1}, {"experience", 0}}));
   CHECK(loops[1]["seen_at"] == 3);

@@ -17,7 +17,7 @@ namespace {
 struct Served {
   explicit Served(ParameterValues values = {}) : watched(staying(std::move(values))) {
     watched.frames(25);
-    finishing = std::thread([this] { watched.finish(); });
+    finishing = std::thread([this] { ended = watched.end(); });
     while (nlohmann::json::parse(get(watched.port(), "/api/run").body)["live"] == true) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -25,6 +25,7 @@ struct Served {
   ~Served() {
     watched.context.cancelled = true;
     finishing.join();
+    CHECK(ended.isOk());
   }
   static ParameterValues staying(ParameterValues values) {
     values["stay"] = true;
@@ -34,6 +35,7 @@ struct Served {
   HttpAnswer get(const std::string& target) const { return test::get(watched.port(), target); }
 
   WatchedRun watched;
+  Status ended;
   std::thread finishing;
 };
 

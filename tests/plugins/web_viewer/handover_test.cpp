@@ -93,8 +93,9 @@ TEST_CASE("events and template images are bounded in number") {
 TEST_CASE("with every frame shown, the run waits until each has been taken") {
   Handover handover(true);
   std::vector<std::int64_t> seen;
+  std::int64_t taken = 0;
   std::thread run([&] {
-    for (std::int64_t i = 0; i < 200; ++i) CHECK(handover.put(TestFrame(i, false).snapshot()));
+    for (std::int64_t i = 0; i < 200; ++i) taken += handover.put(TestFrame(i, false).snapshot());
   });
   PendingData pending;
   while (seen.size() < 200) {
@@ -102,15 +103,18 @@ TEST_CASE("with every frame shown, the run waits until each has been taken") {
     if (pending.has_frame) seen.push_back(pending.newest.frame);
   }
   run.join();
+  CHECK(taken == 200);
   for (std::size_t i = 0; i < seen.size(); ++i) REQUIRE(seen[i] == static_cast<std::int64_t>(i));
 }
 
 TEST_CASE("close() ends waiting") {
   Handover handover(true);
   (void)handover.put(TestFrame(0).snapshot());
-  std::thread run([&] { CHECK_FALSE(handover.put(TestFrame(1).snapshot())); });
+  bool taken = true;
+  std::thread run([&] { taken = handover.put(TestFrame(1).snapshot()); });
   handover.close();
   run.join();
+  CHECK_FALSE(taken);
 }
 
 }  // namespace tolman::web_viewer

@@ -94,13 +94,15 @@ TEST_CASE("with stay it serves until interrupted, unless quiet") {
   }
   SECTION("until interrupted") {
     LiveSocket socket(watched.port());
-    std::thread finishing([&] { watched.finish(); });
+    Status ended;
+    std::thread finishing([&] { ended = watched.end(); });
     CHECK(socket.next("end"));
     LiveSocket late(watched.port());
     CHECK(late.next("hello")->header["live"] == false);
     CHECK(late.next("end"));
     watched.context.cancelled = true;
     finishing.join();
+    CHECK(ended.isOk());
     const auto close = late.next();
     REQUIRE(close);
     CHECK(close->closeCode() == 1000);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The live stream: order of messages, completeness of rows, slow clients.
 #include <catch2/catch.hpp>
+#include <functional>
 #include <thread>
 
 #include "browser.hpp"
@@ -86,7 +87,8 @@ TEST_CASE("graphs are sent during the run, the final one before the end") {
   WatchedRun watched;
   LiveSocket socket(watched.port());
   watched.frames(45);
-  std::thread finishing([&] { watched.finish(); });
+  Status ended;
+  std::thread finishing([&] { ended = watched.end(); });
   std::vector<std::string> types;
   Container graph;
   std::optional<LiveSocket::Message> message;
@@ -100,6 +102,7 @@ TEST_CASE("graphs are sent during the run, the final one before the end") {
     }
   }
   finishing.join();
+  CHECK(ended.isOk());
   REQUIRE(types.size() >= 4);
   CHECK(types.front() == "hello");
   CHECK(types.back() == "end");
@@ -113,16 +116,25 @@ TEST_CASE("interrupted and failed runs end as interrupted") {
   LiveSocket socket(watched.port());
   REQUIRE(socket.next("hello"));
   watched.frames(3);
-  std::thread ending([&] {
-    SECTION("interrupted") {
-      watched.context.cancelled = true;
-      watched.finish();
-    }
-    SECTION("destroyed without finish()") { watched.viewer.reset(); }
-    SECTION("reset") { CHECK(watched.viewer->reset().isOk()); }
-  });
+  std::function<Status()> end_run;
+  SECTION("interrupted") {
+    watched.context.cancelled = true;
+    end_run = [&] { return watched.end(); };
+  }
+  SECTION("destroyed without finish()") {
+    end_run = [&] {
+      watched.viewer.reset();
+      return Status::ok();
+    };
+  }
+  SECTION("reset") {
+    end_run = [&] { return watched.viewer->reset(); };
+  }
+  Status ended;
+  std::thread ending([&] { ended = end_run(); });
   const auto end = socket.next("end");
   ending.join();
+  CHECK(ended.isOk());
   REQUIRE(end);
   CHECK(end->header["state"] == "interrupted");
   CHECK(end->header["frames"] == 3);

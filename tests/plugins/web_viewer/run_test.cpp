@@ -9,6 +9,7 @@
 #include <chrono>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <thread>
 
@@ -35,11 +36,12 @@ class TestClients {
  public:
   explicit TestClients(int port) : stalled_(port, 600, 4096) {
     for (int i = 0; i < 3; ++i) {
-      readers_.emplace_back([this, port] {
-        LiveSocket socket(port, 600);
-        while (auto message = socket.next()) {
+      // Opened here, because this asserts, which only one thread may do at a time (Catch2).
+      auto socket = std::make_shared<LiveSocket>(port, 600);
+      readers_.emplace_back([this, socket] {
+        while (auto message = socket->next()) {
           if (message->opcode == 8) {
-            socket.sendFrame(0x88, message->bytes.substr(0, 2));
+            socket->sendFrame(0x88, message->bytes.substr(0, 2));
             break;
           }
           ++messages_;

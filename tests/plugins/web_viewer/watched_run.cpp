@@ -127,7 +127,9 @@ void WatchedRun::frames(std::int64_t count, bool with_image) {
   }
 }
 
-void WatchedRun::finish() { REQUIRE(viewer->finish(graphAt(next_ - 1)).isOk()); }
+void WatchedRun::finish() { REQUIRE(end().isOk()); }
+
+Status WatchedRun::end() { return viewer->finish(graphAt(next_ - 1)); }
 
 int WatchedRun::port() const {
   return nlohmann::json::parse(context.artefacts.at("viewer.json")).at("port");

@@ -35,6 +35,8 @@ class WatchedRun {
   /// Gives `count` more frames to the viewer.
   void frames(std::int64_t count, bool with_image = true);
   void finish();
+  /// The same without an assertion, which only one thread may have at a time (Catch2).
+  [[nodiscard]] Status end();
   int port() const;
   std::int64_t shown() const { return next_; }
 
