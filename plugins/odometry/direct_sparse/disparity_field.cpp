@@ -40,7 +40,6 @@ void DisparityField::configure(int width, int height, double focal, double focal
 void DisparityField::clear() {
   first_ = 0;
   change_.setZero();
-  turned_ = false;
   updateShares();
 }
 
@@ -94,16 +93,10 @@ double DisparityField::calibrationShare(const SmoothField& field) const {
 }
 
 void DisparityField::updateShares() {
-  // As for the field (FieldDecision): what is not significant has the form of least effect on the
-  // scale, a constant. Exact towns have offsets of up to 0.03 px. Chosen, not tuned.
-  constexpr double kTurns = 0.1;   // px
-  constexpr double kStill = 0.05;  // px
-  const double size = std::fabs(offset());
-  turned_ = turned_ ? size > kStill : size > kTurns;
   const bool compensates = on_ && by_disparity_ > 0;
   const double share = compensates ? calibrationShare(atInfinity()) : 0;
   compensated_ = by_disparity_ * share;
-  across_ = turned_ ? across_by_yaw_ * (1 - share) : 0;
+  across_ = across_by_yaw_ * (1 - share);
 }
 
 }  // namespace tolman::direct_sparse

@@ -46,8 +46,7 @@ struct ScaleMoments {
 /// by a yaw, yaw (f + x^2 / f), at all disparities. What a calibration by least squares leaves is a
 /// constant, which focal length and baseline compensate, so that disparities at the distance of the
 /// calibration are right; it leaves other terms of the field, too, and they tell how much of the
-/// offset it can be. An offset below 0.1 px (0.05 px once it was larger) is a constant.
-/// docs/odometry.md has the derivation.
+/// offset it can be. docs/odometry.md has the derivation.
 class DisparityField {
  public:
   using Terms = SmoothField::Terms;
@@ -90,7 +89,6 @@ class DisparityField {
   double by_disparity_ = 0;   ///< 1/px, of an offset that calibration left
   double across_by_yaw_ = 0;  ///< coefficient of P_2(x) of a yaw whose mean over the image is 1
   bool on_ = false;
-  bool turned_ = false;     ///< whether the offset is large enough to tell a turn
   double compensated_ = 0;  ///< 1/px, of the whole offset
   double across_ = 0;       ///< coefficient of P_2(x) of the whole offset
   double first_ = 0;        ///< px

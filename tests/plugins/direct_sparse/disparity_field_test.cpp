@@ -59,19 +59,6 @@ TEST_CASE("while the field is off, an offset displaces columns as a yaw does, at
   }
 }
 
-TEST_CASE("a small offset is a constant, until it was clearly larger") {
-  DisparityField field = fieldAt(4);
-  field.startFrom(0.08);
-  CHECK(field.at(0, 100, 3) == Approx(0.08));
-  CHECK(field.at(620, 100, 3) == Approx(0.08));
-  field.startFrom(0.12);
-  CHECK(field.at(0, 100, 3) > 1.2 * field.at(620, 100, 3));
-  field.startFrom(0.08);
-  CHECK(field.at(0, 100, 3) > 1.2 * field.at(620, 100, 3));
-  field.startFrom(0.04);
-  CHECK(field.at(0, 100, 3) == Approx(0.04));
-}
-
 TEST_CASE("an offset that calibration left vanishes at its distance, as far as it is its share") {
   DisparityField field = fieldAt(4);
   DisparityField::Terms step = DisparityField::Terms::Zero();
