@@ -308,7 +308,7 @@ TEST_CASE("--resume takes the configuration of the run and nothing beside it") {
   const TemporaryFolder folder;
   const Finished no_run = tolman::test::tolman({"run", "--resume", folder.path().string()});
   CHECK(no_run.exit_code == 9);
-  CHECK(contains(no_run.err, "is no run directory, it holds no config.resolved.yaml"));
+  CHECK(contains(no_run.err, "is an empty folder, not a run directory"));
 }
 
 #ifdef TOLMAN_DISK_SPACE

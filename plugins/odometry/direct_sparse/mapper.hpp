@@ -22,7 +22,7 @@ struct MapperSettings {
   int candidates = 1500;            ///< per keyframe
   int window = 7;                   ///< keyframes
   int max_disparity = 160;          ///< px
-  double marginal_weight = 0.06;    ///< of marginalised points in the prior
+  double marginal_weight = 0.25;    ///< of marginalised points in the prior
   double offset_sigma = 0;          ///< px, 0: the disparity offset is not estimated
   double column_sigma = 0;          ///< px, 0: only an offset of the disparities is estimated
   double calibration_distance = 0;  ///< m, 0: an offset is never compensated
