@@ -113,8 +113,8 @@ Status BagSource::judgeOdometry(Logger& log) {
     odometry_problems_.push_back(status.message() + "; the topic is left out");
   }
   for (std::string& problem : odometry_problems_) {
-    problem = topic + problem;
-    log.warning(parameters_.path + ": " + problem);
+    problem.insert(0, topic);
+    log.warning(std::string(parameters_.path).append(": ").append(problem));
   }
   return Status::ok();
 }
@@ -217,8 +217,9 @@ Status BagSource::makeRigs() {
   if (chosen_.right != nullptr) right = topic(*chosen_.right, chosen_.right_info);
   Result<CameraRigs> rigs =
       ros_messages::makeRigs(parameters_, size_, left, right ? &*right : nullptr);
-  if (rigs.isOk()) rigs_ = std::move(rigs).value();
-  return rigs.status();
+  if (!rigs.isOk()) return rigs.status();
+  rigs_ = std::move(rigs).value();
+  return Status::ok();
 }
 
 Status BagSource::makeSequence(Logger& log) {

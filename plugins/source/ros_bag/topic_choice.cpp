@@ -92,6 +92,7 @@ Status chooseCameras(const Topics& topics, const BagParameters& p, ChosenTopics&
                             "or mono16");
   }
   std::vector<std::string> names;
+  names.reserve(cameras.size());
   for (const BagTopic* camera : cameras) names.push_back(camera->topic.name);
   const CameraNames given{p.left, p.right};
   const auto found = chooseCameraNames(names, given, p.mono);

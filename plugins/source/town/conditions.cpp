@@ -105,9 +105,10 @@ Status checkWords(const std::string& entry, const std::vector<std::string>& word
   for (const std::string& word : words) {
     const Word* known = findWord(word);
     if (known == nullptr) {
-      std::string all;
-      for (const Word& one : kWords) all.append(all.empty() ? "" : ", ").append(one.name);
-      return refuse(entry, "'" + word + "' is no condition; use " + all);
+      std::string text = "'" + word + "' is no condition; use ";
+      for (const Word& one : kWords)
+        text.append(&one == &kWords.front() ? "" : ", ").append(one.name);
+      return refuse(entry, text);
     }
     const auto& [before, is_new] = said.emplace(known->subject, word);
     if (is_new || before->second == word) continue;

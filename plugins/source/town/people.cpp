@@ -162,6 +162,7 @@ std::vector<std::uint32_t> addWalkers(World& world) {
 std::vector<std::uint32_t> addCyclists(World& world) {
   const PersonSurfaces surfaces = addPersonSurfaces(world);
   std::vector<std::uint32_t> postures;
+  postures.reserve(kPedalPhases);
   for (int i = 0; i < kPedalPhases; ++i) {
     postures.push_back(
         addPrototype(world, cyclist(surfaces, static_cast<float>(i) / kPedalPhases)));

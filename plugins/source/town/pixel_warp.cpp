@@ -16,6 +16,7 @@ constexpr std::size_t kDown = 3;
 /// cos(pi k (i + 0.5) / size): without a mean over the image for k > 0.
 std::vector<double> cosines(std::size_t half_periods, int size) {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(size));
   for (int i = 0; i < size; ++i) {
     values.push_back(
         std::cos(std::numbers::pi * static_cast<double>(half_periods) * (i + 0.5) / size));

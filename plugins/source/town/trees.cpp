@@ -80,8 +80,8 @@ std::uint32_t addBroadleaf(World& world, float height, float clear_trunk, std::u
       addPost(mesh, {fork, lump.centre, 0.4F * girth, 0.12F * girth, 6}, surfaces.bark);
     }
     for (int twig = 0; twig < 10; ++twig) {
-      const Vec3 way =
-          normalised({uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -0.8F, 1)});
+      const Vec3 way = normalised(
+          Vec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -0.8F, 1)});
       addTwig(mesh, lump.centre + way * (1.05F * r), 0.16F, random, surfaces.leaves);
     }
   }

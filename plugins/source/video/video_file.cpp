@@ -57,7 +57,8 @@ std::string rounded(double value) {
 bool hasJpegEnd(const AVPacket& packet) {
   constexpr std::array<std::uint8_t, 2> kEnd = {0xff, 0xd9};
   const std::span<const std::uint8_t> bytes(packet.data, static_cast<std::size_t>(packet.size));
-  return !std::ranges::find_end(bytes, kEnd).empty();
+  // Not of std::ranges: clang 14, and so clang-tidy, cannot compile its result.
+  return std::find_end(bytes.begin(), bytes.end(), kEnd.begin(), kEnd.end()) != bytes.end();
 }
 
 }  // namespace
