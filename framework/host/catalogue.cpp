@@ -140,7 +140,14 @@ Refusal Catalogue::notFound(const std::string& id, std::optional<Role> role) con
   for (const Manifest& manifest : manifests_) {
     if (!role || manifest.role == *role) known.push_back(manifest.id);
   }
-  for (const Manifest& manifest : interpreters_) known.push_back(manifest.id);
+  for (const Manifest& manifest : interpreters_) {
+    if (manifest.id == id) {
+      return {"plugin/not-found", "'" + id + "' is no plugin itself, it runs one that a file holds",
+              "give the file of the plugin in place of '" + id +
+                  "', or use it in a configuration with the parameter 'file'"};
+    }
+    known.push_back(manifest.id);
+  }
   const std::optional<std::string> nearest = config::nearestName(id, known);
   return {"plugin/not-found", message,
           (nearest ? "did you mean '" + *nearest + "'? " : std::string()) +

@@ -86,6 +86,9 @@ Status SourceStage::next(Frame& frame) {
     return answered.isOk() ? check(frame) : answered;
   });
   if (!status.isOk()) return status;
+  const bool without_image = info_.rig.width > 0 && frame.left.empty();
+  if (without_image && frame.defect.empty())
+    frame.defect = "the source gave no image and no reason";
   ++next_frame_;
   last_stamp_ns_ = frame.stamp_ns;
   frame.frame += first_frame_;

@@ -2,6 +2,7 @@
 #include "bag.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "file_bytes.hpp"
 #include "mcap_file.hpp"
@@ -46,6 +47,24 @@ void useOneClock(BagTopic& topic) {
 std::string latestOf(const BagTopic& topic, std::int64_t log_ns) {
   return "message " + std::to_string(topic.messages - 1) + " (recorded at " +
          std::to_string(log_ns) + " ns)";
+}
+
+/// Messages whose time is before that of a message that was recorded earlier; empty if there are
+/// none. One damaged time is enough to move a frame.
+std::string movedText(const BagTopic& topic) {
+  std::int64_t moved = 0;
+  std::int64_t first = 0;
+  std::int64_t latest_ns = std::numeric_limits<std::int64_t>::min();
+  for (const BagMessage& message : topic.index) {
+    if (message.stamp_ns < latest_ns && ++moved == 1) first = message.number;
+    latest_ns = std::max(latest_ns, message.stamp_ns);
+  }
+  if (moved == 0) return "";
+  return topic.topic.name + ": by the times in their headers, " + std::to_string(moved) +
+         (moved == 1 ? " message lies" : " messages lie") +
+         " before one that was recorded earlier, the first of them message " +
+         std::to_string(first) +
+         " (counted from 0); they are taken in the order of these times. Is one of them damaged?";
 }
 
 std::string furtherText(std::int64_t count) {
@@ -95,8 +114,9 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
   bag.judgeCounts(path);
   for (auto& [name, topic] : bag.topics_) {
     useOneClock(topic);
-    std::stable_sort(topic.index.begin(), topic.index.end(),
-                     [](const auto& a, const auto& b) { return a.stamp_ns < b.stamp_ns; });
+    const std::string moved = movedText(topic);
+    if (!moved.empty()) bag.warnings_.push_back(path.string() + ": " + moved);
+    std::ranges::stable_sort(topic.index, {}, &BagMessage::stamp_ns);
   }
   return bag;
 }
@@ -196,7 +216,10 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
   if (known.topic != topic || !isKnown(topic.encoding) || !isUsed(topic.type)) return;
   const std::optional<std::int64_t> stamp = headerStamp(known.message(bytes));
   if (!stamp) {
-    const char* what = bytes.empty() ? " is empty" : " ends within its header";
+    constexpr std::size_t kStampBytes = 12;  // CDR: its kind and the time; ROS 1: number and time
+    const char* what = bytes.empty()                ? " is empty"
+                       : bytes.size() < kStampBytes ? " ends within its header"
+                                                    : " has a damaged header";
     if (++known.damaged == 1) known.first_damaged = latestOf(known, log_ns) + what;
     return;
   }

@@ -38,7 +38,9 @@ std::optional<std::int64_t> timeOf(const Ros1Record& message) {
   if (!time || time->size() != 2 * sizeof(std::uint32_t)) return std::nullopt;
   ByteReader fields(*time);
   const std::int64_t seconds = fields.number<std::int32_t>();  // see timeOf()
-  return seconds * 1'000'000'000 + fields.number<std::uint32_t>();
+  const std::int64_t nanoseconds = fields.number<std::uint32_t>();
+  if (nanoseconds >= 1'000'000'000) return std::nullopt;
+  return seconds * 1'000'000'000 + nanoseconds;
 }
 
 std::optional<Topic> topicOf(const Ros1Record& connection) {

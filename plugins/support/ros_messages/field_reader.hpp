@@ -69,6 +69,8 @@ class FieldReader {
     return failed_ ? 0 : claimed;
   }
   bool ok() const { return !failed_; }
+  /// For values that no sound message has.
+  void fail() { failed_ = true; }
   Encoding encoding() const { return encoding_; }
 
  private:

@@ -8,6 +8,8 @@
 namespace tolman::ros_messages {
 namespace {
 
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
 /// The time at the beginning of a header, ns; in ROS 1 it follows the sequence number.
 std::int64_t readStamp(FieldReader& fields) {
   const bool ros1 = fields.encoding() == Encoding::Ros1;
@@ -15,7 +17,8 @@ std::int64_t readStamp(FieldReader& fields) {
   // In ROS 1 without a sign: from 2038 on it is taken as a time before 1970, that of a wrong clock.
   const std::int64_t seconds = fields.number<std::int32_t>();
   const std::int64_t nanoseconds = fields.number<std::uint32_t>();
-  return seconds * 1'000'000'000 + nanoseconds;
+  if (nanoseconds >= kSecond_ns) fields.fail();
+  return seconds * kSecond_ns + nanoseconds;
 }
 
 /// std_msgs/Header; the name of the frame is not used.
