@@ -52,10 +52,12 @@ std::string latestOf(const BagTopic& topic, std::int64_t log_ns) {
 /// Messages whose time is before that of a message that was recorded earlier; empty if there are
 /// none. One damaged time is enough to move a frame.
 std::string movedText(const BagTopic& topic) {
+  std::vector<BagMessage> recorded = topic.index;  // files may hold messages in any order
+  std::ranges::stable_sort(recorded, {}, &BagMessage::log_ns);
   std::int64_t moved = 0;
   std::int64_t first = 0;
   std::int64_t latest_ns = std::numeric_limits<std::int64_t>::min();
-  for (const BagMessage& message : topic.index) {
+  for (const BagMessage& message : recorded) {
     if (message.stamp_ns < latest_ns && ++moved == 1) first = message.number;
     latest_ns = std::max(latest_ns, message.stamp_ns);
   }
@@ -227,6 +229,7 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
   known.index.push_back(message);
   known.index.back().number = known.messages - 1;
   known.index.back().has_stamp = *stamp > 0;
+  known.index.back().log_ns = log_ns;
   known.index.back().stamp_ns = *stamp > 0 ? *stamp : log_ns;
   if (*stamp < 0 && ++known.negative == 1) {
     known.first_negative =

@@ -21,6 +21,7 @@ struct BagMessage {
   MessagePlace place;
   bool has_stamp = false;   ///< its header has a time
   std::int64_t number = 0;  ///< among the topic's messages, as they were recorded
+  std::int64_t log_ns = 0;  ///< time of recording
 };
 
 /// One topic and its messages.

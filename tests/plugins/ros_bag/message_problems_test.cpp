@@ -82,6 +82,30 @@ TEST_CASE("a message that ends within its header, and the first of its topic") {
   CHECK(skipped.frames.size() == 4);
 }
 
+TEST_CASE("a header with nanoseconds that no clock gives is damaged") {
+  const test::TemporaryFolder folder;
+  std::string bytes = imageAt(stampOf(2));
+  bytes[11] = static_cast<char>(bytes[11] | 0x40);  // bit 30 of the nanoseconds
+  test::writeDb3(folder.path() / "a.db3", fiveImages(2, bytes));
+  CHECK(Played(folder.path() / "a.db3").message ==
+        "/camera: message 2 " + recordedAt(2) +
+            " has a damaged header; leave them out by on_corrupt: skip");
+  CHECK(Played(folder.path() / "a.db3", kSkipped).frames.size() == 4);
+}
+
+TEST_CASE("a time that moves an image to another place is told") {
+  const test::TemporaryFolder folder;
+  test::writeDb3(folder.path() / "a.db3", fiveImages(1, imageAt(stampOf(3) + 1)));
+  Played moved(folder.path() / "a.db3");
+  CHECK(moved.frames.size() == 5);
+  CHECK_THAT(moved.context.log.at(0),
+             Catch::Contains("/camera: by the times in their headers, 2 messages lie before one "
+                             "that was recorded earlier, the first of them message 2 (counted "
+                             "from 0)"));
+  test::writeDb3(folder.path() / "b.db3", fiveImages(1, imageAt(stampOf(1))));
+  CHECK(Played(folder.path() / "b.db3").context.log.empty());
+}
+
 TEST_CASE("a bag whose images are all empty is refused, also with on_corrupt: skip") {
   const test::TemporaryFolder folder;
   std::vector<test::RosMessage> messages = pairMessages(3);
