@@ -238,6 +238,15 @@ TEST_CASE("frames that break the contract end the run, in the words of the sourc
   }
 }
 
+TEST_CASE("frames of a camera that have no image and no reason count as frames without image") {
+  const TemporaryFolder folder;
+  const Attempt attempt(
+      "role_faults", "feature_stereo",
+      {"--set", "source={plugin: no_image, path: " + folder.path().string() + "}"});
+  INFO(attempt.finished.err);
+  CHECK(readJson(attempt.out / "run.json")["counters"]["defects"] == 2);  // frames 3 and 4
+}
+
 TEST_CASE("a plugin that offers its state and cannot save it has failed the run") {
   for (const auto& [plugin, says] :
        {std::pair("fails_to_save", "save: threw: no room"),
