@@ -21,7 +21,7 @@ struct Parameters {
   double coupling = 1.5;  // 1 to 2 is best in Stereo DSO (Wang et al. 2017)
   double keyframe_weight = 1.2;
   double nearest = 2.5;             // m; bounds the search; chosen, not tuned
-  double marginal_weight = 0.25;    // as DSO; of 0.06 to 1 on 06, raw 0001 and town 07
+  double marginal_weight = 0.25;    // as DSO; compared on 06, raw 0001, town 07
   double largest_adjustment = 0.5;  // m; chosen, not tuned
   double offset_sigma = 1;          // px; as rigs are off (docs/odometry.md)
   double column_sigma = 0.3;        // px; chosen on the town, docs/odometry.md
