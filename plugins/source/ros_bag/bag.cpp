@@ -69,10 +69,6 @@ std::string movedText(const BagTopic& topic) {
          " (counted from 0); they are taken in the order of these times. Is one of them damaged?";
 }
 
-std::string furtherText(std::int64_t count) {
-  return count == 1 ? "" : ", and " + std::to_string(count - 1) + " more like it";
-}
-
 /// Leaves the visit of a file.
 struct Interruption {};
 

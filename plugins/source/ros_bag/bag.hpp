@@ -36,7 +36,7 @@ struct BagTopic {
   std::int64_t lost = 0;            ///< messages that are in the bag, but could not be read
   std::int64_t other_type = 0;      ///< messages of another type or encoding, which are not used
   std::int64_t without_stamp = 0;   ///< messages left out, because only others have a time
-  std::int64_t damaged = 0;         ///< messages left out, because they end within their header
+  std::int64_t damaged = 0;         ///< messages left out, because their header is damaged
   std::string first_damaged;        ///< "message 2 (recorded at 5000000000 ns) is empty"
   std::int64_t negative = 0;   ///< messages whose header has a negative time, which is not used
   std::string first_negative;  ///< "message 0 (recorded at 5000000000 ns) has the time -1 ns"

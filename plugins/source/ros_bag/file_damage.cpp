@@ -15,8 +15,10 @@ std::string lostText(const std::map<std::string, LostMessages>& lost) {
   return text;
 }
 
-std::string Repeated::text() const {
-  return count_ < 2 ? first_ : first_ + ", and " + std::to_string(count_ - 1) + " more like it";
+std::string furtherText(std::int64_t count) {
+  return count < 2 ? "" : ", and " + std::to_string(count - 1) + " more like it";
 }
+
+std::string Repeated::text() const { return first_ + furtherText(count_); }
 
 }  // namespace tolman::ros_bag

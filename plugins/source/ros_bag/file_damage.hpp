@@ -33,6 +33,9 @@ struct FileDamage {
 /// "12 messages of /left and 3 messages of topics that are not known"; empty without any.
 std::string lostText(const std::map<std::string, LostMessages>& lost);
 
+/// ", and 3 more like it" for 4 things, of which the first has been told; else empty.
+std::string furtherText(std::int64_t count);
+
 /// Things of one kind in a file, which are told once: the first and the number of the others.
 class Repeated {
  public:
