@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "host/values.hpp"
@@ -23,6 +24,22 @@ Status failed(fmt::format_string<const T&...> text, const T&... values) {
 Status checkMeasured(const Matrix6d& covariance, const char* field) {
   if (covariance.trace() != 0) return checkCovariance(covariance, field);
   return failed("'{}' is zero, which claims an exact pose; set it", field);
+}
+
+/// A difference of two headings. Larger values are in degrees, or are sums that were not wrapped.
+Status checkRelativeYaw(double relative_yaw) {
+  if (std::abs(relative_yaw) <= 2 * std::numbers::pi) return Status::ok();
+  return failed("relative_yaw {:g} is not in [-2 pi, 2 pi]; it is in rad, not degrees",
+                relative_yaw);
+}
+
+Status checkHeading(double heading) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  if (heading >= 0 && heading < kTurn) return Status::ok();
+  if (heading >= kTurn && heading < kTurn + 1e-6) {  // as the remainder of a small negative angle
+    return failed("heading is 2 pi, which is not in [0, 2 pi); answer 0");
+  }
+  return failed("heading {:f} is not in [0, 2 pi)", heading);
 }
 
 Status checkEarlier(const EarlierLoop& loop, std::int64_t frame, std::int64_t experiences) {
@@ -190,6 +207,10 @@ Status checkTemplateId(const PlaceObservation& observation, std::int64_t templat
 }
 
 Status checkPlace(const PlaceObservation& observation) {
+  if (observation.recognition == Recognition::Familiar) {
+    const Status status = checkRelativeYaw(observation.relative_yaw);
+    if (!status.isOk()) return status;
+  }
   if (observation.has_relative_pose) return checkMeasured(observation.covariance, "covariance");
   return Status::ok();
 }
@@ -205,14 +226,13 @@ Status checkDecision(const Decision& decision, std::int64_t experiences, std::in
     if (status.isOk()) status = checkEarlier(loop, decision.frame, experiences);
   }
   if (!status.isOk()) return status;
-  if (decision.heading < 0 || decision.heading >= 2 * std::numbers::pi) {
-    return failed("heading {:f} is not in [0, 2 pi)", decision.heading);
-  }
+  if (status = checkHeading(decision.heading); !status.isOk()) return status;
   if (decision.confidence < 0 || decision.confidence > 1) {
     return failed("confidence {:f} is not in [0, 1]", decision.confidence);
   }
-  if (decision.action != Action::CloseLoop || !decision.has_relative_pose) return Status::ok();
-  return checkMeasured(decision.covariance, "covariance");
+  if (decision.action != Action::CloseLoop) return Status::ok();
+  if (status = checkRelativeYaw(decision.relative_yaw); !status.isOk()) return status;
+  return decision.has_relative_pose ? checkMeasured(decision.covariance, "covariance") : status;
 }
 
 Status checkUpdate(const MapUpdate& update, std::int64_t last_version) {

@@ -3,6 +3,7 @@
 #include "host/stages.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "host/fixture_plugins.hpp"
 #include "host/frame_at.hpp"
@@ -149,6 +150,8 @@ TEST_CASE("decisions of cells are checked before the map sees them") {
   CHECK(cells.say(Action::CloseLoop, 0).empty());
   CHECK(cells.say(Action::Stay, 1) == "decided for experience 1, which does not exist");
   CHECK(cells.say(Action::Stay, 0, -7) == "heading -7.000000 is not in [0, 2 pi)");
+  CHECK(cells.say(Action::Stay, 0, 2 * std::numbers::pi) ==
+        "heading is 2 pi, which is not in [0, 2 pi); answer 0");
   CHECK(cells.say(Action::Stay, 0, 0, 42) == "confidence 42.000000 is not in [0, 1]");
 }
 
@@ -252,6 +255,22 @@ TEST_CASE("after a failure a template may be one more than were given, and no ot
   CHECK(say(Recognition::Familiar, 99) == "recognised template 99, which was never made");
   CHECK(say(Recognition::Novel, 77) ==
         "made template 77; ids are 0, 1, 2, ... without gaps, the next one is at most 3");
+}
+
+TEST_CASE("a turn in degrees is refused where it is read") {
+  PlaceStage place(puppetOf<PlacePuppet>(Role::Place));
+  PlacePuppet::says = {};
+  PlacePuppet::says.recognition = Recognition::Novel;
+  PlacePuppet::says.template_id = 0;
+  PlacePuppet::says.relative_yaw = 100;
+  PlaceObservation seen;
+  CHECK(place.observe(frameAt(0), nullptr, seen).isOk());
+  PlacePuppet::says.recognition = Recognition::Familiar;
+  CHECK_THAT(
+      place.observe(frameAt(1), nullptr, seen).message(),
+      Catch::EndsWith("relative_yaw 100 is not in [-2 pi, 2 pi]; it is in rad, not degrees"));
+  PlacePuppet::says.relative_yaw = -3;
+  CHECK(place.observe(frameAt(2), nullptr, seen).isOk());
 }
 
 TEST_CASE("a true pose that info() did not announce is refused, a missing one is not") {

@@ -105,7 +105,7 @@ RUNNING = {
     "raises without words": (program(step="raise ValueError"), "ValueError: no message"),
     "raises what cannot be shown": (
         program(imports="class Odd(Exception):\n    def __str__(self):\n        raise TypeError('no')", step="raise Odd()"),
-        "step, frame 3:"),
+        "step, frame 3: Odd: its __str__ fails, so it has no message"),
     "asserts": (program(step="assert False, 'never'"), "AssertionError: never"),
     "divides by zero": (program(step="1 / 0"), "ZeroDivisionError"),
     "recursion": (program(methods="def f(self):\n    self.f()", step="self.f()"), "RecursionError"),

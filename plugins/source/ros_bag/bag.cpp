@@ -2,10 +2,10 @@
 #include "bag.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "file_bytes.hpp"
 #include "mcap_file.hpp"
+#include "message_order.hpp"
 #include "messages.hpp"
 #include "metadata_file.hpp"
 #include "ros1_file.hpp"
@@ -49,26 +49,6 @@ std::string latestOf(const BagTopic& topic, std::int64_t log_ns) {
          std::to_string(log_ns) + " ns)";
 }
 
-/// Messages whose time is before that of a message that was recorded earlier; empty if there are
-/// none. One damaged time is enough to move a frame.
-std::string movedText(const BagTopic& topic) {
-  std::vector<BagMessage> recorded = topic.index;  // files may hold messages in any order
-  std::ranges::stable_sort(recorded, {}, &BagMessage::log_ns);
-  std::int64_t moved = 0;
-  std::int64_t first = 0;
-  std::int64_t latest_ns = std::numeric_limits<std::int64_t>::min();
-  for (const BagMessage& message : recorded) {
-    if (message.stamp_ns < latest_ns && ++moved == 1) first = message.number;
-    latest_ns = std::max(latest_ns, message.stamp_ns);
-  }
-  if (moved == 0) return "";
-  return topic.topic.name + ": by the times in their headers, " + std::to_string(moved) +
-         (moved == 1 ? " message lies" : " messages lie") +
-         " before one that was recorded earlier, the first of them message " +
-         std::to_string(first) +
-         " (counted from 0); they are taken in the order of these times. Is one of them damaged?";
-}
-
 /// Leaves the visit of a file.
 struct Interruption {};
 
@@ -93,6 +73,7 @@ std::vector<std::string> BagTopic::messageProblems(bool times_matter) const {
                     (images ? " images" : " messages") +
                     " have no time in their header, and others have one");
   }
+  if (same_time > 0) texts.push_back(name + first_same_time + furtherText(same_time));
   return texts;
 }
 
@@ -115,6 +96,14 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
     const std::string moved = movedText(topic);
     if (!moved.empty()) bag.warnings_.push_back(path.string() + ": " + moved);
     std::ranges::stable_sort(topic.index, {}, &BagMessage::stamp_ns);
+    leaveOutSameTimes(topic, [&bag](const BagMessage& message) { return bag.read(message); });
+    if (topic.recorded_twice > 0) {
+      bag.warnings_.push_back(path.string() + ": " + name + ": " +
+                              std::to_string(topic.recorded_twice) +
+                              (topic.recorded_twice == 1 ? " image is" : " images are") +
+                              " recorded twice, with the same time and the same bytes; "
+                              "each is used once");
+    }
   }
   return bag;
 }

@@ -40,7 +40,10 @@ struct BagTopic {
   std::string first_damaged;        ///< "message 2 (recorded at 5000000000 ns) is empty"
   std::int64_t negative = 0;   ///< messages whose header has a negative time, which is not used
   std::string first_negative;  ///< "message 0 (recorded at 5000000000 ns) has the time -1 ns"
-  std::string other_camera;    ///< how a later CameraInfo differs from the first; or empty
+  std::int64_t recorded_twice = 0;  ///< images left out, because they are the one before
+  std::int64_t same_time = 0;       ///< other images left out, with the time of the one before
+  std::string first_same_time;      ///< "messages 1 and 2 (counted from 0) have the time 5 ns"
+  std::string other_camera;         ///< how a later CameraInfo differs from the first; or empty
 
   /// These bytes as a message of the topic.
   Message message(Bytes of) const {
@@ -48,7 +51,7 @@ struct BagTopic {
   }
   Message firstMessage() const { return message(first); }
   /// One text, without file and remedy, for each kind of messages that cannot be used as they are:
-  /// damaged ones, and, if `times_matter`, those without a time.
+  /// damaged ones, and, if `times_matter`, those without a time or with that of another.
   std::vector<std::string> messageProblems(bool times_matter) const;
 };
 

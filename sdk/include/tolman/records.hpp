@@ -149,7 +149,7 @@ struct PlaceObservation {
   std::int64_t template_id = -1;  ///< consecutive from 0 in order of creation; -1 only with None
   double score = 0;  ///< distance to the best template, in the plugin's measure; small if alike
   double relative_yaw =
-      0;  ///< rad, heading now minus heading at the template, positive to the left
+      0;  ///< rad in [-2 pi, 2 pi], heading now minus at the template, positive to the left
   bool has_relative_pose = false;
   Eigen::Isometry3d T_template_current = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
@@ -215,7 +215,7 @@ struct Decision {
   std::int64_t experience = -1;   ///< consecutive from 0 in order of creation; -1 before the first
   std::int64_t template_id = -1;  ///< the view that led to the decision; -1 for none
   double relative_yaw =
-      0;  ///< rad, heading now minus heading at `experience`, positive to the left
+      0;  ///< rad in [-2 pi, 2 pi], heading now minus at `experience`, positive to the left
   bool has_relative_pose = false;
   Eigen::Isometry3d T_experience_current = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();

@@ -123,7 +123,7 @@ def described(error, call):
         place = f" ({pathlib.Path(error.filename).name}:{error.lineno})"
     else:
         place = f" ({pathlib.Path(frames[-1].filename).name}:{frames[-1].lineno}, in {frames[-1].name})" if frames else ""
-    text = str(error) or "no message"
+    text = _message(error)
     kind = type(error).__name__
     if isinstance(error, ValueError) and "cannot contain null bytes" in text:  # open_program() has looked at the program itself
         text = "a file that is imported here is UTF-16 or damaged; save it as UTF-8"
@@ -134,6 +134,13 @@ def described(error, call):
     listed = "".join(traceback.format_list(frames[-_SHOWN_FRAMES:])).rstrip()
     trace = f"traceback of {call}:\n{listed}\n{kind}: {text}" if frames else ""
     return _shown(" ".join(line.split())), _shown(trace)
+
+
+def _message(error):
+    try:
+        return str(error) or "no message"
+    except BaseException:  # also of sys.exit() in it
+        return "its __str__ fails, so it has no message"
 
 
 def _shown(text):

@@ -144,12 +144,36 @@ TEST_CASE("a damaged image in a sound bag") {
   CHECK_FALSE(skipped.frames[3].left.empty());
 }
 
-TEST_CASE("stamps that repeat are refused") {
+TEST_CASE("images with the same time and other contents are refused") {
   const test::TemporaryFolder folder;
-  test::writeDb3(folder.path() / "a.db3",
-                 {greyImage("/camera", 0), greyImage("/camera", 1), greyImage("/camera", 1)});
-  CHECK(Played(folder.path()).message ==
-        "the stamp of frame 2 is not after that of the frame before; sort the data");
+  std::vector<test::RosMessage> messages = {greyImage("/camera", 0), greyImage("/camera", 1),
+                                            greyImage("/camera", 1)};
+  messages[2].bytes = test::imageMessage({stampOf(1), 8, 6, "mono8", std::string(48, 'x')});
+  test::writeDb3(folder.path() / "a.db3", messages);
+  const std::string text = "/camera: messages 1 and 2 (counted from 0) have the time " +
+                           std::to_string(stampOf(1)) + " ns in their headers and different images";
+  CHECK(Played(folder.path()).message == text + "; leave them out by on_corrupt: skip");
+  const Played skipped(folder.path(), kSkip);
+  CHECK(skipped.message.empty());
+  CHECK(skipped.frames.size() == 2);
+  CHECK_THAT(skipped.context.log.at(0), Catch::Contains(text));
+}
+
+TEST_CASE("an image that was recorded twice is used once, and told") {
+  const test::TemporaryFolder folder;
+  const std::vector<test::RosMessage> messages = {greyImage("/camera", 0), greyImage("/camera", 1),
+                                                  greyImage("/camera", 1), greyImage("/camera", 2)};
+  test::writeDb3(folder.path() / "a.db3", messages);
+  test::writeBytes(folder.path() / "a.mcap", test::mcapBytes(messages, {"zstd"}));
+  for (const char* name : {"a.db3", "a.mcap"}) {
+    CAPTURE(name);
+    const Played played(folder.path() / name);
+    CHECK(played.message.empty());
+    CHECK(played.frames.size() == 3);
+    CHECK_THAT(played.context.log.at(0),
+               Catch::EndsWith("/camera: 1 image is recorded twice, with the same time and the "
+                               "same bytes; each is used once"));
+  }
 }
 
 }  // namespace tolman::ros_bag
