@@ -66,6 +66,12 @@ class PiecesTest(unittest.TestCase):
         times = nwb.spikes(np.full(200, 50.0), seconds, 1)
         self.assertFalse(np.any((times > 10.5) & (times < 1000)))
 
+    def test_frames_that_are_hours_apart_have_few_spikes(self):
+        seconds = 36000.0 * np.arange(50)
+        times = nwb.spikes(np.full(50, 20.0), seconds, 1)
+        self.assertTrue(8000 < len(times) < 12000)  # 20 Hz for 10 s at each frame
+        self.assertTrue(np.all(times % 36000 < 10.001))
+
     def test_laps_begin_and_end_at_the_start(self):
         angle = np.linspace(0, 6 * math.pi, 3001)
         found = nwb.laps(np.sin(angle), 1 - np.cos(angle), np.arange(3001.0))

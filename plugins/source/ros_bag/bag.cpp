@@ -19,6 +19,8 @@ bool isUsed(const std::string& type) {
          type == kOdometry;
 }
 
+bool isImage(const Topic& topic) { return topic.type == kImage || topic.type == kCompressedImage; }
+
 bool isKnown(const std::string& encoding) {
   return encoding == kCdrEncoding || encoding == kRos1Encoding;
 }
@@ -68,9 +70,8 @@ std::vector<std::string> BagTopic::messageProblems(bool times_matter) const {
                     ": its clock was wrong");
   }
   if (without_stamp > negative) {
-    const bool images = topic.type == kImage || topic.type == kCompressedImage;
     texts.push_back(name + std::to_string(without_stamp - negative) +
-                    (images ? " images" : " messages") +
+                    (isImage(topic) ? " images" : " messages") +
                     " have no time in their header, and others have one");
   }
   if (same_time > 0) texts.push_back(name + first_same_time + furtherText(same_time));
@@ -97,6 +98,11 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
     if (!moved.empty()) bag.warnings_.push_back(path.string() + ": " + moved);
     std::ranges::stable_sort(topic.index, {}, &BagMessage::stamp_ns);
     leaveOutSameTimes(topic, [&bag](const BagMessage& message) { return bag.read(message); });
+    if (isImage(topic.topic) && !topic.index.empty() && !topic.index.front().has_stamp) {
+      bag.warnings_.push_back(path.string() + ": " + name +
+                              ": no image has a time in its header; the times of recording are "
+                              "used, which are later than the exposures");
+    }
     if (topic.recorded_twice > 0) {
       bag.warnings_.push_back(path.string() + ": " + name + ": " +
                               std::to_string(topic.recorded_twice) +

@@ -23,6 +23,7 @@ from tolman.results import Run, rows_where
 SPIKE_RESOLUTION_S = 1e-4
 PEAK_HZ = 20.0
 _LONGEST_STEP = 5  # median steps between frames; no spikes in what a longer gap has beyond
+_LONGEST_STEP_S = 10.0  # the same for frames that are all far apart: no rate is known for hours
 
 
 def spikes(rates_hz, seconds, seed):
@@ -31,7 +32,7 @@ def spikes(rates_hz, seconds, seed):
         return np.zeros(0)
     rng = np.random.Generator(np.random.PCG64(seed))
     steps = np.diff(seconds, append=2 * seconds[-1] - seconds[-2])
-    steps = np.minimum(steps, _LONGEST_STEP * np.median(steps))
+    steps = np.minimum(steps, min(_LONGEST_STEP * np.median(steps), _LONGEST_STEP_S))
     counts = rng.poisson(np.maximum(rates_hz, 0) * steps)
     times = np.repeat(seconds, counts) + rng.random(counts.sum()) * np.repeat(steps, counts)
     return np.sort(np.round(times / SPIKE_RESOLUTION_S) * SPIKE_RESOLUTION_S)

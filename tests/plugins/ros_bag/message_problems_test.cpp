@@ -71,6 +71,21 @@ TEST_CASE("an empty message of a bag of ROS 1") {
                       "like it"));
 }
 
+TEST_CASE("images without any time in their headers have those of recording, with a warning") {
+  const test::TemporaryFolder folder;
+  std::vector<test::RosMessage> messages = fiveImages(0, imageAt(0));
+  for (test::RosMessage& message : messages) message.bytes = imageAt(0);
+  test::writeDb3(folder.path() / "a.db3", messages);
+  const Played played(folder.path() / "a.db3");
+  CHECK(played.message.empty());
+  REQUIRE(played.frames.size() == 5);
+  CHECK(played.frames[1].stamp_ns == stampOf(1) + 3'000'000);
+  REQUIRE(played.context.log.size() == 1);
+  CHECK_THAT(played.context.log[0],
+             Catch::EndsWith("/camera: no image has a time in its header; the times of recording "
+                             "are used, which are later than the exposures"));
+}
+
 TEST_CASE("a message that ends within its header, and the first of its topic") {
   const test::TemporaryFolder folder;
   test::writeDb3(folder.path() / "a.db3", fiveImages(0, imageAt(stampOf(0)).substr(0, 10)));
