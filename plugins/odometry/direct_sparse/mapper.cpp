@@ -80,8 +80,9 @@ std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_w
   activator_.activate(rig_, settings_.adjustment.system, settings_.points, window_);
   adjustment_ = adjustWindow(rig_, adjustmentFor(keyframe), window_, system_);
   if (settings_.adjustment.watch_field && keyframe.has_right) {
-    const bool on = decision_.decide(adjustment_.field_rms);
-    if (on != window_.field.isOn()) window_.field.setOn(on);
+    DisparityField& field = window_.field;
+    const bool on = decision_.decide(field.isOn(), adjustment_.field_rms);
+    if (on != field.isOn()) field.setOn(on);
   }
   dropOutliers(window_);
   shrink();
