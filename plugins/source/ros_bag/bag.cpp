@@ -98,7 +98,9 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
     if (!moved.empty()) bag.warnings_.push_back(path.string() + ": " + moved);
     std::ranges::stable_sort(topic.index, {}, &BagMessage::stamp_ns);
     leaveOutSameTimes(topic, [&bag](const BagMessage& message) { return bag.read(message); });
-    if (isImage(topic.topic) && !topic.index.empty() && !topic.index.front().has_stamp) {
+    const bool none_has_time =
+        !topic.index.empty() && !topic.index.front().has_stamp && topic.negative == 0;
+    if (isImage(topic.topic) && none_has_time) {
       bag.warnings_.push_back(path.string() + ": " + name +
                               ": no image has a time in its header; the times of recording are "
                               "used, which are later than the exposures");
