@@ -191,17 +191,19 @@ struct ImportCommand {
   std::vector<std::string> overrides;
 };
 
-/// Writes a configuration of this source alone into the file `memory`, and returns its options.
+/// Writes a configuration of a source alone into the file `memory`, and returns its options. The
+/// plugin is an override, too, so that messages name it instead of that file.
 run::SystemOptions systemOf(const ImportCommand& import, const record::FileDescriptor& memory,
                             const Invocation& invocation) {
-  const std::string yaml = "source: {plugin: " + import.source + "}\n";
+  const std::string yaml = "source: {plugin: none}\n";
   if (::write(memory.number(), yaml.data(), yaml.size()) != static_cast<ssize_t>(yaml.size())) {
     throw run::Failed({run::FailureKind::Record, "no memory for the configuration"});
   }
   run::SystemOptions options;
   options.config = "/proc/self/fd/" + std::to_string(memory.number());
   options.plugin_paths = invocation.plugin_paths;
-  options.overrides = {"source.path=" + config::writeText(import.path)};
+  options.overrides = {"source.plugin=" + config::writeText(import.source),
+                       "source.path=" + config::writeText(import.path)};
   const SourceOverrides split = splitOverrides(import.overrides);
   for (const std::string& value : split.source) options.overrides.push_back("source." + value);
   options.overrides.insert(options.overrides.end(), split.host.begin(), split.host.end());

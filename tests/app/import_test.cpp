@@ -140,3 +140,11 @@ TEST_CASE("a video without calibration becomes a folder that images reads", "[da
   const Imported calibrated(video, "video", {"--set", "fx=700"});
   calibrated.check();
 }
+
+TEST_CASE("an unknown source is named as the option that chose it") {
+  const TemporaryFolder folder;
+  const Imported unknown(folder.path(), "my_bags");
+  CHECK(unknown.finished.exit_code == 4);
+  CHECK(contains(unknown.finished.err, "--set source.plugin=my_bags"));
+  CHECK_FALSE(contains(unknown.finished.err, "/proc/"));
+}
