@@ -115,7 +115,7 @@ std::string compressedImageMessage(std::int64_t stamp_ns, const std::string& for
 RosCamera plainCamera(std::uint32_t width, std::uint32_t height, double focal, double baseline) {
   const double cx = (width - 1) / 2.0;
   const double cy = (height - 1) / 2.0;
-  RosCamera camera{width, height, "plumb_bob", {0, 0, 0, 0, 0}, {}, {}, {}};
+  RosCamera camera{width, height, "plumb_bob", {0, 0, 0, 0, 0}, {}, {}, {}, 0};
   camera.K = {focal, 0, cx, 0, focal, cy, 0, 0, 1};
   camera.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   camera.P = {focal, 0, cx, -focal * baseline, 0, focal, cy, 0, 0, 0, 1, 0};
@@ -127,7 +127,8 @@ std::string cameraInfoMessage(const RosCamera& camera) {
   message.header(1'000'000'000).number(camera.height).number(camera.width).text(camera.model);
   message.number(static_cast<std::uint32_t>(camera.D.size())).numbers(camera.D);
   message.numbers(camera.K).numbers(camera.R).numbers(camera.P);
-  for (int i = 0; i < 6; ++i) message.number(std::uint32_t{0});  // binning, region of interest
+  message.number(camera.binning).number(camera.binning);
+  for (int i = 0; i < 4; ++i) message.number(std::uint32_t{0});  // region of interest
   return message.number(std::uint8_t{0}).bytes();
 }
 
@@ -140,12 +141,13 @@ std::string imuMessage(std::int64_t stamp_ns, const std::vector<double>& angular
   return message.numbers(linear_acceleration).numbers(unknown).bytes();
 }
 
-std::string odometryMessage(std::int64_t stamp_ns, double x, double y, double theta) {
+std::string odometryMessage(std::int64_t stamp_ns, double x, double y, double theta, double speed,
+                            const std::string& frame) {
   const std::vector<double> unknown(36, 0);
   CdrWriter message;
-  message.header(stamp_ns).text("base").numbers({x, y, 0});
+  message.header(stamp_ns, frame).text("base").numbers({x, y, 0});
   message.numbers({0, 0, std::sin(theta / 2), std::cos(theta / 2)}).numbers(unknown);
-  return message.numbers({0, 0, 0, 0, 0, 0}).numbers(unknown).bytes();
+  return message.numbers({speed, 0, 0, 0, 0, 0}).numbers(unknown).bytes();
 }
 
 std::string mcapBytes(const std::vector<RosMessage>& messages, const McapStyle& style) {

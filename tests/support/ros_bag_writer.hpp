@@ -38,9 +38,9 @@ class CdrWriter {
     number(static_cast<std::uint32_t>(value.size()));
     return append(std::string(value));
   }
-  CdrWriter& header(std::int64_t stamp_ns) {
+  CdrWriter& header(std::int64_t stamp_ns, const std::string& frame = "camera") {
     number(static_cast<std::int32_t>(stamp_ns / 1'000'000'000));
-    return number(static_cast<std::uint32_t>(stamp_ns % 1'000'000'000)).text("camera");
+    return number(static_cast<std::uint32_t>(stamp_ns % 1'000'000'000)).text(frame);
   }
   const std::string& bytes() const { return bytes_; }
 
@@ -75,6 +75,7 @@ struct RosCamera {
   std::vector<double> K;  ///< 9
   std::vector<double> R;  ///< 9
   std::vector<double> P;  ///< 12
+  std::uint32_t binning = 0;
 };
 /// An undistorted camera with this focal length in the middle of the image.
 RosCamera plainCamera(std::uint32_t width, std::uint32_t height, double focal, double baseline);
@@ -82,7 +83,8 @@ std::string cameraInfoMessage(const RosCamera& camera);
 std::string imuMessage(std::int64_t stamp_ns, const std::vector<double>& angular_velocity,
                        const std::vector<double>& linear_acceleration);
 /// A robot at (x, y) with this heading.
-std::string odometryMessage(std::int64_t stamp_ns, double x, double y, double theta);
+std::string odometryMessage(std::int64_t stamp_ns, double x, double y, double theta,
+                            double speed = 0, const std::string& frame = "odom");
 
 struct RosMessage {
   std::string topic;

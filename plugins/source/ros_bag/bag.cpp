@@ -36,6 +36,20 @@ std::string cameraChange(const BagTopic& topic, const Message& message) {
   return first->R != now->R ? "another rotation" : "";
 }
 
+/// "odom, base_link": in which frame a pose is, and of which; empty if the message is damaged.
+std::string framesOf(const Message& message) {
+  const auto odometry = readOdometry(message);
+  if (!odometry) return "";
+  return std::string(odometry->frame) + ", " + std::string(odometry->child_frame);
+}
+
+/// Poses in two frames are two paths. The first message decides which is used.
+bool isInOtherFrame(BagTopic& topic, Bytes bytes) {
+  const std::string frame = framesOf(topic.message(bytes));
+  if (topic.frame.empty()) topic.frame = frame;
+  return !frame.empty() && frame != topic.frame;
+}
+
 /// Times of headers and of recording may be of two clocks (simulated time begins when the clock is
 /// first published), so messages without a time in their header are left out if others have one.
 void useOneClock(BagTopic& topic) {
@@ -49,6 +63,13 @@ void useOneClock(BagTopic& topic) {
 std::string latestOf(const BagTopic& topic, std::int64_t log_ns) {
   return "message " + std::to_string(topic.messages - 1) + " (recorded at " +
          std::to_string(log_ns) + " ns)";
+}
+
+/// No message of images or poses has a time, and not because of a wrong clock, which is told
+/// otherwise.
+bool hasNoTimes(const BagTopic& topic) {
+  const bool matters = isImage(topic.topic) || topic.topic.type == kOdometry;
+  return matters && !topic.index.empty() && !topic.index.front().has_stamp && topic.negative == 0;
 }
 
 /// Leaves the visit of a file.
@@ -74,6 +95,7 @@ std::vector<std::string> BagTopic::messageProblems(bool times_matter) const {
                     (isImage(topic) ? " images" : " messages") +
                     " have no time in their header, and others have one");
   }
+  if (other_frame > 0) texts.push_back(name + first_other_frame + furtherText(other_frame));
   if (same_time > 0) texts.push_back(name + first_same_time + furtherText(same_time));
   return texts;
 }
@@ -98,17 +120,15 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
     if (!moved.empty()) bag.warnings_.push_back(path.string() + ": " + moved);
     std::ranges::stable_sort(topic.index, {}, &BagMessage::stamp_ns);
     leaveOutSameTimes(topic, [&bag](const BagMessage& message) { return bag.read(message); });
-    const bool none_has_time =
-        !topic.index.empty() && !topic.index.front().has_stamp && topic.negative == 0;
-    if (isImage(topic.topic) && none_has_time) {
+    if (hasNoTimes(topic)) {
       bag.warnings_.push_back(path.string() + ": " + name +
-                              ": no image has a time in its header; the times of recording are "
-                              "used, which are later than the exposures");
+                              ": no message has a time in its header; the times of recording are "
+                              "used, which are later than those of the measurements");
     }
     if (topic.recorded_twice > 0) {
       bag.warnings_.push_back(path.string() + ": " + name + ": " +
                               std::to_string(topic.recorded_twice) +
-                              (topic.recorded_twice == 1 ? " image is" : " images are") +
+                              (topic.recorded_twice == 1 ? " message is" : " messages are") +
                               " recorded twice, with the same time and the same bytes; "
                               "each is used once");
     }
@@ -216,6 +236,14 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
                        : bytes.size() < kStampBytes ? " ends within its header"
                                                     : " has a damaged header";
     if (++known.damaged == 1) known.first_damaged = latestOf(known, log_ns) + what;
+    return;
+  }
+  if (topic.type == kOdometry && isInOtherFrame(known, bytes)) {
+    if (++known.other_frame == 1) {
+      known.first_other_frame = latestOf(known, log_ns) + " is a pose in the frames '" +
+                                framesOf(known.message(bytes)).substr(0, 80) +
+                                "', and the first message in '" + known.frame.substr(0, 80) + "'";
+    }
     return;
   }
   if (known.index.empty()) known.first.assign(bytes.begin(), bytes.end());

@@ -40,9 +40,12 @@ struct BagTopic {
   std::string first_damaged;        ///< "message 2 (recorded at 5000000000 ns) is empty"
   std::int64_t negative = 0;   ///< messages whose header has a negative time, which is not used
   std::string first_negative;  ///< "message 0 (recorded at 5000000000 ns) has the time -1 ns"
-  std::int64_t recorded_twice = 0;  ///< images left out, because they are the one before
-  std::int64_t same_time = 0;       ///< other images left out, with the time of the one before
+  std::int64_t recorded_twice = 0;  ///< messages left out, because they are the one before
+  std::int64_t same_time = 0;       ///< others left out, with the time of the one before
   std::string first_same_time;      ///< "messages 1 and 2 (counted from 0) have the time 5 ns"
+  std::string frame;                ///< of poses, and whose they are: "odom, base_link"
+  std::int64_t other_frame = 0;     ///< poses left out, because they are in another frame
+  std::string first_other_frame;    ///< "message 2 (recorded at 5 ns) is a pose in the frames ..."
   std::string other_camera;         ///< how a later CameraInfo differs from the first; or empty
 
   /// These bytes as a message of the topic.
@@ -51,7 +54,8 @@ struct BagTopic {
   }
   Message firstMessage() const { return message(first); }
   /// One text, without file and remedy, for each kind of messages that cannot be used as they are:
-  /// damaged ones, and, if `times_matter`, those without a time or with that of another.
+  /// damaged ones, and, if `times_matter`, those without a time or with that of another, and poses
+  /// in other frames.
   std::vector<std::string> messageProblems(bool times_matter) const;
 };
 

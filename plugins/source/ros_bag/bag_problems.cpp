@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bag_problems.hpp"
 
+#include <array>
+#include <cstdio>
+
 namespace tolman::ros_bag {
 namespace {
 
@@ -8,6 +11,12 @@ constexpr const char* kCutOff =
     ": the recording was cut off; use what is there by on_corrupt: skip";
 
 }  // namespace
+
+std::string shortNumber(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
 
 std::string atByte(std::uint64_t at) { return " at byte " + std::to_string(at); }
 

@@ -8,6 +8,8 @@
 
 namespace tolman::ros_bag {
 
+/// Four digits: "37.2".
+std::string shortNumber(double value);
 std::string atByte(std::uint64_t at);
 /// The file ends before the record that begins at `at` does.
 std::string endsWithin(std::uint64_t at);

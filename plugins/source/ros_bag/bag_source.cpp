@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "image_conversion.hpp"
 
@@ -13,12 +12,6 @@ namespace tolman::ros_bag {
 using source_parameters::withoutAdvice;
 
 namespace {
-
-std::string shortNumber(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
 
 /// "sensor_msgs/msg/Image, 120 messages at 10 Hz, 37.2 MB"
 std::string summary(const BagTopic& topic) {
@@ -151,6 +144,17 @@ std::vector<std::string> BagSource::messageProblems() const {
   return all;
 }
 
+/// What is odd in the first images of the chosen topics, but may be right.
+std::vector<std::string> BagSource::imageDoubts() const {
+  std::vector<std::string> all;
+  for (const BagTopic* topic : {chosen_.left, chosen_.right, chosen_.depth}) {
+    if (topic == nullptr || topic->topic.type != kImage || topic->index.empty()) continue;
+    const std::string doubt = ros_messages::doubtOfRows(topic->firstMessage());
+    if (!doubt.empty()) all.push_back(topic->topic.name + ": the first image " + doubt);
+  }
+  return all;
+}
+
 /// Refuses damaged messages, wrong clocks, messages without times between others, and cameras that
 /// change within the bag.
 Status BagSource::judgeTopics(Logger& log) const {
@@ -159,6 +163,7 @@ Status BagSource::judgeTopics(Logger& log) const {
     return Status::invalidInput(problems.front() + kLeaveOut + andMore(problems.size() - 1));
   }
   for (const std::string& problem : problems) log.warning(problem + kWithoutThem);
+  for (const std::string& doubt : imageDoubts()) log.warning(parameters_.path + ": " + doubt);
   const bool given = parameters_.isGiven();  // then CameraInfo is not used
   for (const BagTopic* topic :
        {chosen_.left, chosen_.right, chosen_.depth, chosen_.imu, chosen_.odometry,
@@ -399,6 +404,9 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
   for (const std::string& problem : messageProblems()) {
     if (skip) findings.push_back({Severity::Warning, "", problem + kWithoutThem});
     if (!skip) findings.push_back({Severity::Error, "", problem + kLeaveOut});
+  }
+  for (const std::string& doubt : imageDoubts()) {
+    findings.push_back({Severity::Warning, "", doubt});
   }
   const bool told = !skip && bag_ && !(bag_->problems().empty() && messageProblems().empty());
   if (!ready_.isOk()) {

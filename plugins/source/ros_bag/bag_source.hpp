@@ -35,6 +35,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status prepare(const Context& context);
   Status judgeProblems(Logger& log) const;
   std::vector<std::string> messageProblems() const;
+  std::vector<std::string> imageDoubts() const;
   Status judgeTopics(Logger& log) const;
   /// The size of the first image whose header is sound.
   Status findSize();

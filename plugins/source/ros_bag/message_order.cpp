@@ -9,7 +9,7 @@
 namespace tolman::ros_bag {
 namespace {
 
-bool isSameImage(const BagMessage& a, const BagMessage& b, const ReadMessage& read) {
+bool isSame(const BagMessage& a, const BagMessage& b, const ReadMessage& read) {
   const auto first = read(a);
   const auto second = read(b);
   return first.isOk() && second.isOk() && first.value() == second.value();
@@ -36,19 +36,20 @@ std::string movedText(const BagTopic& topic) {
 }
 
 void leaveOutSameTimes(BagTopic& topic, const ReadMessage& read) {
-  if (topic.topic.type != kImage && topic.topic.type != kCompressedImage) return;
+  const bool images = topic.topic.type == kImage || topic.topic.type == kCompressedImage;
+  if (!images && topic.topic.type != kOdometry) return;
   std::vector<BagMessage> kept;
   kept.reserve(topic.index.size());
   for (const BagMessage& message : topic.index) {
     if (kept.empty() || kept.back().stamp_ns != message.stamp_ns) {
       kept.push_back(message);
-    } else if (isSameImage(kept.back(), message, read)) {
+    } else if (isSame(kept.back(), message, read)) {
       ++topic.recorded_twice;
     } else if (++topic.same_time == 1) {
       topic.first_same_time = "messages " + std::to_string(kept.back().number) + " and " +
                               std::to_string(message.number) + " (counted from 0) have the time " +
-                              std::to_string(message.stamp_ns) +
-                              " ns in their headers and different images";
+                              std::to_string(message.stamp_ns) + " ns in their headers and " +
+                              (images ? "different images" : "different contents");
     }
   }
   topic.index = std::move(kept);

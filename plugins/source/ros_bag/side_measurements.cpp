@@ -24,6 +24,7 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
   damaged_ = 0;
   first_damaged_.clear();
   coverage_ = {};
+  speeds_ = {};
   tells_lost_ = false;
   if (imu != nullptr) {
     for (const BagMessage& message : imu->index) {
@@ -47,6 +48,8 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
       tellDamaged(*odometry, message);
       continue;
     }
+    speeds_.add(message.stamp_ns, Eigen::Vector3d::Map(measured->position.data()),
+                Eigen::Vector3d::Map(measured->velocity.data()).norm());
     poses_.push_back(
         {message.stamp_ns,
          {measured->position[0], measured->position[1], headingOf(measured->orientation)}});
@@ -68,6 +71,7 @@ Status SideMeasurements::judgeOdometry(const std::vector<std::int64_t>& frames_n
   const std::vector<std::string> found = coverage_.problems(frames_ns);
   tells_lost_ = !found.empty();
   problems.insert(problems.end(), found.begin(), found.end());
+  if (const std::string doubt = speeds_.doubt(); !doubt.empty()) problems.push_back(doubt);
   return Status::ok();
 }
 

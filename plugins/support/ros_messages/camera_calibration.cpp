@@ -29,7 +29,60 @@ Pinhole rectifiedPinhole(const CameraInfoMessage& info) {
   return hasP(info) ? pinholeOfP(info) : Pinhole{info.K[0], info.K[4], info.K[2], info.K[5]};
 }
 
+/// Without the identity, which uncalibrated cameras have, and zeros, which ROS leaves there.
+bool isTurned(const CameraInfoMessage& info) {
+  const Eigen::Matrix3d R = rotationOf(info);
+  return !R.isZero(0) && (R - Eigen::Matrix3d::Identity()).norm() > 1e-9;
+}
+
+Status checkRotation(const CameraInfoMessage& info) {
+  const Eigen::Matrix3d R = rotationOf(info);
+  if (R.isZero(0) || isRotation(R)) return Status::ok();
+  return Status::invalidInput(
+      "has no rotation in R; correct it, calibrate the cameras again, or give fx of rectified "
+      "images");
+}
+
+/// Whether K or P is that of a camera without skew: other numbers would be ignored. The tolerance
+/// is for products of matrices.
+Status checkForm(const char* name, const Eigen::Matrix3d& matrix) {
+  constexpr double kZero = 1e-6;
+  const double zero = kZero * std::abs(matrix(0, 0));
+  const bool sound = std::abs(matrix(0, 1)) <= zero && std::abs(matrix(1, 0)) <= zero &&
+                     std::abs(matrix(2, 0)) <= kZero && std::abs(matrix(2, 1)) <= kZero &&
+                     std::abs(matrix(2, 2) - 1) <= kZero;
+  if (sound || matrix(0, 0) <= 0) return Status::ok();  // checkPinhole() tells the latter
+  return Status::invalidInput(std::string("has a matrix ") + name +
+                              " that is not of the form fx 0 cx, 0 fy cy, 0 0 1; correct it, or "
+                              "give fx of rectified images");
+}
+
+using Matrix34 = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
+
+Matrix34 matrixP(const CameraInfoMessage& info) {
+  return Eigen::Map<const Matrix34>(info.P.data());
+}
+
+Status checkForms(const CameraInfoMessage& info) {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> K(info.K.data());
+  const Status status = checkForm("K", K);
+  return status.isOk() ? checkForm("P", matrixP(info).leftCols<3>()) : status;
+}
+
+/// Position of camera 0 seen from this rectified one, m: P is K (I, t).
+Eigen::Vector3d offsetOf(const CameraInfoMessage& info) {
+  if (!hasP(info)) return Eigen::Vector3d::Zero();
+  const Pinhole K = pinholeOfP(info);
+  const double z = info.P[11];
+  return {(info.P[3] - K.cx * z) / K.fx, (info.P[7] - K.cy * z) / K.fy, z};
+}
+
 Status checkSize(const CameraInfoMessage& info, int width, int height) {
+  if (info.is_part) {
+    return Status::unsupported(
+        "has binning or a region of interest, which are not used; record whole images, or give fx "
+        "of these");
+  }
   if (static_cast<std::int64_t>(info.width) == width &&
       static_cast<std::int64_t>(info.height) == height) {
     return Status::ok();
@@ -54,13 +107,23 @@ std::string shortText(double value) {
   return text.data();
 }
 
+double largestDifference(const Pinhole& a, const Pinhole& b) {
+  return Eigen::Vector4d(a.fx - b.fx, a.fy - b.fy, a.cx - b.cx, a.cy - b.cy).cwiseAbs().maxCoeff();
+}
+
+bool isSame(const Pinhole& a, const Pinhole& b) {
+  constexpr double kSame = 1e-3;  // px; digits that are recorded
+  return largestDifference(a, b) <= kSame;
+}
+
 /// The failure of one camera, with the name of its topic.
 Status named(const std::string& name, const Status& status) {
   if (status.isOk() || name.empty()) return status;
   return {status.code(), name + ": " + status.message()};
 }
 
-/// The distance in P of the right camera, whose fourth number is -fx times it.
+/// The distance of the cameras. The fourth number of P is -fx times it for the right one, and 0
+/// for the left one, except in pairs that are not the first of a rig (the colour pair of KITTI).
 Result<double> baselineOf(const CameraInfos& infos) {
   const CameraInfoMessage& right = *infos.right;
   if (!hasP(right)) {
@@ -68,12 +131,22 @@ Result<double> baselineOf(const CameraInfos& infos) {
         "has no P, so the baseline is not known; record the CameraInfo of a calibrated pair, give "
         "fx and baseline, or set mono: true");
   }
-  const double baseline = -right.P[3] / right.P[0];
-  if (baseline > 1e-3 && baseline < 5) return baseline;  // m; chosen, not tuned
-  const std::string found = "has P[3] = " + shortText(right.P[3]) +
+  const Eigen::Vector3d t = offsetOf(infos.left) - offsetOf(right);
+  const double baseline = t.x();
+  constexpr double kMisaligned = 0.02;  // of the baseline; KITTI's colour pair has 0.005
+  const bool aligned = std::hypot(t.y(), t.z()) <= kMisaligned * std::abs(baseline);
+  if (baseline > 1e-3 && baseline < 5 && aligned) return baseline;  // m; chosen, not tuned
+  const std::string of_left =
+      infos.left.P[3] == 0 ? "" : " (left: " + shortText(infos.left.P[3]) + ")";
+  const std::string found = "has P[3] = " + shortText(right.P[3]) + of_left +
                             " and fx = " + shortText(right.P[0]) + ", a baseline of " +
                             shortText(baseline) + " m";
-  if (baseline < 0 || (baseline == 0 && infos.left.P[3] < 0)) {
+  if (!aligned) {
+    return Status::invalidInput("is " + shortText(t.y()) + " m below and " + shortText(t.z()) +
+                                " m before the left camera by P[7] and P[11]; calibrate the two as "
+                                "a pair, or give fx and baseline");
+  }
+  if (baseline < 0) {
     return Status::invalidInput(found + ": that of a left camera; exchange left and right");
   }
   if (baseline == 0) {
@@ -111,11 +184,12 @@ Result<RawCamera> rawCamera(const CameraInfoMessage& info, int width, int height
   camera.height = height;
   camera.pinhole = {info.K[0], info.K[4], info.K[2], info.K[5]};
   Status status = checkSize(info, width, height);
+  if (status.isOk()) status = checkForms(info);
+  if (status.isOk()) status = checkRotation(info);
   if (status.isOk()) status = checkPinhole(camera.pinhole, width, height);
   if (status.isOk()) status = setModel(info, camera);
   if (!status.isOk()) return status;
-  const Eigen::Matrix3d R = rotationOf(info);
-  camera.R_rectified_camera = isRotation(R) ? R : Eigen::Matrix3d::Identity();
+  if (isTurned(info)) camera.R_rectified_camera = rotationOf(info);
   // The reference is the rectified left camera.
   camera.T_reference_camera.linear() = camera.R_rectified_camera;
   return camera;
@@ -123,15 +197,14 @@ Result<RawCamera> rawCamera(const CameraInfoMessage& info, int width, int height
 
 /// Disparities are only those of depths if both cameras have one focal length and centre.
 Status checkRight(const CameraInfoMessage& right, const CameraRig& rig) {
-  constexpr double kSame = 1e-3;  // px; digits that are recorded
-  if (Status status = checkSize(right, rig.width, rig.height); !status.isOk()) return status;
+  Status status = checkSize(right, rig.width, rig.height);
+  if (status.isOk()) status = checkForms(right);
+  if (!status.isOk()) return status;
   const Pinhole p = rectifiedPinhole(right);
-  const Pinhole& q = rig.pinhole;
-  const Eigen::Vector4d apart(p.fx - q.fx, p.fy - q.fy, p.cx - q.cx, p.cy - q.cy);
-  if (apart.isZero(kSame)) return Status::ok();
+  if (isSame(p, rig.pinhole)) return Status::ok();
   return Status::invalidInput(
       "the two rectified cameras have different focal lengths or centres (P of the right one, by " +
-      std::to_string(apart.cwiseAbs().maxCoeff()) +
+      std::to_string(largestDifference(p, rig.pinhole)) +
       " px); calibrate them as a pair with zero disparity at infinity");
 }
 
@@ -140,9 +213,9 @@ Status checkRight(const CameraInfoMessage& right, const CameraRig& rig) {
 bool isRectified(const std::string& topic, const CameraInfos& infos) {
   const auto plain = [](const CameraInfoMessage& info) {
     const auto zero = [](double coefficient) { return coefficient == 0; };
-    const Eigen::Matrix3d R = rotationOf(info);
-    const bool turned = isRotation(R) && (R - Eigen::Matrix3d::Identity()).norm() > 1e-9;
-    return std::all_of(info.D.begin(), info.D.end(), zero) && !turned;
+    const Pinhole K{info.K[0], info.K[4], info.K[2], info.K[5]};
+    return std::all_of(info.D.begin(), info.D.end(), zero) && !isTurned(info) &&
+           isSame(K, rectifiedPinhole(info));
   };
   if (topic.find("rect") != std::string::npos) return true;
   return plain(infos.left) && (!infos.right || plain(*infos.right));
@@ -156,6 +229,7 @@ Result<CameraRig> rectifiedRig(const CameraInfos& infos, int width, int height) 
   rig.calibrated = true;
   rig.pinhole = rectifiedPinhole(left);
   Status status = checkSize(left, width, height);
+  if (status.isOk()) status = checkForms(left);
   if (status.isOk()) status = checkPinhole(rig.pinhole, width, height);
   if (!status.isOk()) return named(infos.left_name, status);
   if (!infos.right) return rig;

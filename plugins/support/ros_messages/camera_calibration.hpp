@@ -19,8 +19,8 @@ struct CameraInfos {
   std::string right_name{};
 };
 
-/// Whether the images are rectified: "rect" in the name of the topic, or no distortion and no
-/// rotation.
+/// Whether the images are rectified: "rect" in the name of the topic, or no distortion, no
+/// rotation, and one camera matrix for raw and rectified images.
 bool isRectified(const std::string& topic, const CameraInfos& infos);
 
 /// The rig of rectified images of this size, from P. InvalidInput for an invalid calibration.

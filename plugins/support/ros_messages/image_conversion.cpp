@@ -43,6 +43,11 @@ constexpr std::array kEncodings = {
     PixelLayout{"yuv422_yuy2", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
     PixelLayout{"yuyv", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2}};
 
+const PixelLayout* layoutOf(std::string_view encoding) {
+  const auto found = std::ranges::find(kEncodings, encoding, &PixelLayout::name);
+  return found == kEncodings.end() ? nullptr : &*found;
+}
+
 Status damaged(const Message& message) {
   return Status::invalidInput(message.bytes.empty() ? "is empty" : "is no complete message");
 }
@@ -56,9 +61,11 @@ Status checkRows(const ImageMessage& image, ImageSize size, int pixel_bytes) {
     return Status::invalidInput("has rows of " + std::to_string(image.step) + " bytes instead of " +
                                 std::to_string(row));
   }
-  if (image.data.size() >= image.step * (rows - 1) + row) return Status::ok();
-  return Status::invalidInput("has " + std::to_string(image.data.size()) +
-                              " bytes of pixels instead of " + std::to_string(image.step * rows));
+  const std::uint64_t bytes = image.data.size();
+  const bool fits = bytes >= image.step * (rows - 1) + row && bytes <= image.step * rows;
+  if (fits) return Status::ok();
+  return Status::invalidInput("has " + std::to_string(bytes) + " bytes of pixels instead of " +
+                              std::to_string(image.step * rows));
 }
 
 cv::Mat eightOfSixteen(const ImageMessage& image, ImageSize size, DeepPixels& deep) {
@@ -76,10 +83,8 @@ cv::Mat eightOfSixteen(const ImageMessage& image, ImageSize size, DeepPixels& de
 }
 
 Result<Image> convertRaw(const ImageMessage& image, bool colour, DeepPixels& deep) {
-  const auto encoding =
-      std::find_if(kEncodings.begin(), kEncodings.end(),
-                   [&](const PixelLayout& e) { return e.name == image.encoding; });
-  if (encoding == kEncodings.end()) {
+  const PixelLayout* encoding = layoutOf(image.encoding);
+  if (encoding == nullptr) {
     return Status::unsupported("has the encoding '" + std::string(image.encoding.substr(0, 40)) +
                                "', which cannot be converted");
   }
@@ -113,6 +118,19 @@ std::string sizeText(ImageSize size) {
 }
 
 }  // namespace
+
+std::string doubtOfRows(const Message& message) {
+  const auto image = readImage(message);
+  const PixelLayout* layout = image ? layoutOf(image->encoding) : nullptr;
+  if (layout == nullptr) return "";
+  const std::uint64_t row =
+      std::uint64_t{image->width} * static_cast<unsigned>(layout->channels * layout->bytes);
+  if (row == 0 || image->step < 2 * row || image->step % row != 0) return "";
+  return "has rows of " + std::to_string(image->step) + " bytes, " +
+         std::to_string(image->step / row) + " times those of " + std::to_string(image->width) +
+         " px in the encoding '" + std::string(image->encoding) +
+         "': are the encoding and the width right?";
+}
 
 Result<ImageSize> imageSize(const std::string& type, const Message& message) {
   if (type == kCompressedImage) {

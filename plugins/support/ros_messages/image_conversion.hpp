@@ -14,6 +14,11 @@ namespace tolman::ros_messages {
 /// Size of the image in a message of type `type`.
 Result<ImageSize> imageSize(const std::string& type, const Message& message);
 
+/// Whether the rows of an uncompressed image are a multiple of what encoding and width need, as
+/// with colour images that are labelled grey. Padding is shorter, but a view of a part of a larger
+/// image may have such rows, so this is a doubt, no failure. Without topic; empty if there is none.
+std::string doubtOfRows(const Message& message);
+
 /// The image in a message of type `type`, as Gray8, or as Bgr8 if `colour`. `deep`
 /// says how 16 bits are used, and is filled in. Failures do not name topic and time; the caller
 /// adds them.

@@ -45,6 +45,19 @@ bool isRotation(const std::array<double, 4>& q) {
   return std::abs(std::sqrt(squares) - 1) <= kMostNormError;
 }
 
+/// Binning and region of interest of a CameraInfo, which messages of old programs lack.
+bool readsPart(FieldReader& fields, const CameraInfoMessage& info) {
+  const auto binning_x = fields.number<std::uint32_t>();
+  const auto binning_y = fields.number<std::uint32_t>();
+  const auto left = fields.number<std::uint32_t>();
+  const auto top = fields.number<std::uint32_t>();
+  const auto height = fields.number<std::uint32_t>();
+  const auto width = fields.number<std::uint32_t>();
+  if (!fields.ok()) return false;
+  const bool whole = (width == 0 || width == info.width) && (height == 0 || height == info.height);
+  return binning_x > 1 || binning_y > 1 || left > 0 || top > 0 || !whole;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> headerStamp(const Message& message) {
@@ -93,6 +106,7 @@ std::optional<CameraInfoMessage> readCameraInfo(const Message& message) {
   bool finite = areFinite(info.K) && areFinite(info.R) && areFinite(info.P);
   for (const double coefficient : info.D) finite = finite && std::abs(coefficient) < 1e9;
   if (!fields.ok() || !finite) return std::nullopt;
+  info.is_part = readsPart(fields, info);
   return info;
 }
 
@@ -112,12 +126,16 @@ std::optional<ImuMessage> readImu(const Message& message) {
 std::optional<OdometryMessage> readOdometry(const Message& message) {
   FieldReader fields(message);
   OdometryMessage odometry;
-  odometry.stamp_ns = readHeader(fields);
-  fields.text();  // frame id of the robot
+  odometry.stamp_ns = readStamp(fields);
+  odometry.frame = fields.text();
+  odometry.child_frame = fields.text();
   odometry.position = fields.numbers<3>();
   odometry.orientation = fields.numbers<4>();
   const bool finite = areFinite(odometry.position) && areFinite(odometry.orientation);
   if (!fields.ok() || !finite || !isRotation(odometry.orientation)) return std::nullopt;
+  fields.numbers<36>();  // covariance
+  const std::array<double, 3> velocity = fields.numbers<3>();
+  if (fields.ok() && areFinite(velocity)) odometry.velocity = velocity;
   return odometry;
 }
 

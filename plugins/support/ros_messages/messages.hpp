@@ -44,6 +44,7 @@ struct CameraInfoMessage {
   std::array<double, 9> K{};   ///< raw images
   std::array<double, 9> R{};   ///< rotation from the raw to the rectified camera
   std::array<double, 12> P{};  ///< rectified images
+  bool is_part = false;        ///< the images are binned, or only a region of interest
 };
 
 struct ImuMessage {
@@ -54,8 +55,11 @@ struct ImuMessage {
 
 struct OdometryMessage {
   std::int64_t stamp_ns = 0;
+  std::string_view frame;        ///< in which the pose is
+  std::string_view child_frame;  ///< of which it is the pose
   std::array<double, 3> position{};
   std::array<double, 4> orientation{};  ///< x, y, z, w
+  std::array<double, 3> velocity{};     ///< m/s; often zero where it is not measured
 };
 
 /// Time in the header of these messages, ns: 0 if it is not set, negative if a clock was wrong.

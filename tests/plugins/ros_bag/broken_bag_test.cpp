@@ -171,7 +171,7 @@ TEST_CASE("an image that was recorded twice is used once, and told") {
     CHECK(played.message.empty());
     CHECK(played.frames.size() == 3);
     CHECK_THAT(played.context.log.at(0),
-               Catch::EndsWith("/camera: 1 image is recorded twice, with the same time and the "
+               Catch::EndsWith("/camera: 1 message is recorded twice, with the same time and the "
                                "same bytes; each is used once"));
   }
 }

@@ -109,8 +109,8 @@ TEST_CASE("a baseline that is none says what was found, and the remedy that help
         "5 m: P[3] is -fx times the baseline in metres, not in mm or cm; correct it, or give fx "
         "and baseline");
   CHECK(refusal(right, left) ==
-        "/r/camera_info: has P[3] = 0 and fx = 500, a baseline of 0 m: that of a left camera; "
-        "exchange left and right");
+        "/r/camera_info: has P[3] = 0 (left: -268.5) and fx = 500, a baseline of -0.537 m: that of "
+        "a left camera; exchange left and right");
   CHECK(refusal(left, messageOf(test::plainCamera(640, 480, 500, -0.537))) ==
         "/r/camera_info: has P[3] = 268.5 and fx = 500, a baseline of -0.537 m: that of a left "
         "camera; exchange left and right");
@@ -120,6 +120,64 @@ TEST_CASE("a baseline that is none says what was found, and the remedy that help
   CameraInfoMessage without = right;
   without.P.fill(0);
   CHECK(refusal(left, without).starts_with("/r/camera_info: has no P, so the baseline is not"));
+}
+
+TEST_CASE("the baseline is the distance of the two cameras, also of a pair beside a third") {
+  CameraInfoMessage left = messageOf(test::plainCamera(640, 480, 500, 0));
+  CameraInfoMessage right = messageOf(test::plainCamera(640, 480, 500, 0.5));
+  left.P[3] = 30;  // both are moved against camera 0, as in KITTI's colour pair
+  right.P[3] += 30;
+  left.P[7] = 0.1;
+  right.P[7] = 1;
+  const auto rig = rectifiedRig({left, right}, 640, 480);
+  REQUIRE(rig.isOk());
+  CHECK(rig.value().baseline == Approx(0.5));
+  right.P[7] = 100;  // 0.2 m
+  CHECK_THAT(rectifiedRig({left, right}, 640, 480).status().message(),
+             Catch::StartsWith("is -0.1998 m below and 0 m before the left camera by P[7] and"));
+}
+
+TEST_CASE("matrices of another form are refused, not read in part") {
+  const CameraInfoMessage sound = messageOf(test::plainCamera(640, 480, 500, 0));
+  const auto refusal = [&](auto change) {
+    CameraInfoMessage changed = sound;
+    change(changed);
+    return rectifiedRig({changed, std::nullopt}, 640, 480).status().message();
+  };
+  CHECK(refusal([](auto&) {}).empty());
+  const std::string of_P = "has a matrix P that is not of the form fx 0 cx, 0 fy cy, 0 0 1";
+  CHECK_THAT(refusal([](auto& c) { c.P[10] = 2; }), Catch::StartsWith(of_P));
+  CHECK_THAT(refusal([](auto& c) { c.P[1] = 30; }), Catch::StartsWith(of_P));
+  CHECK_THAT(refusal([](auto& c) { c.K[8] = 2; }), Catch::StartsWith("has a matrix K that is"));
+  CHECK(refusal([](auto& c) { c.P.fill(0); }).empty());  // K is used then
+  test::RosCamera binned = test::plainCamera(640, 480, 500, 0);
+  binned.binning = 2;
+  CHECK_THAT(rectifiedRig({messageOf(binned), std::nullopt}, 640, 480).status().message(),
+             Catch::StartsWith("has binning or a region of interest"));
+}
+
+TEST_CASE("a rotation that is none is refused, and zeros are no rotation") {
+  CameraInfos infos = distorted(0.1);
+  infos.right->R[0] = 0.5;
+  CHECK_THAT(rawRig(infos, 640, 480).status().message(), Catch::StartsWith("has no rotation in R"));
+  infos.right->R.fill(0);
+  REQUIRE(rawRig(infos, 640, 480).isOk());
+  CHECK(rawRig(infos, 640, 480).value().cameras[1].R_rectified_camera.isIdentity());
+  CameraInfos plain{messageOf(test::plainCamera(640, 480, 500, 0)), std::nullopt};
+  plain.left.R[8] = -1;
+  CHECK_FALSE(isRectified("/camera/image", plain));  // so that it is refused
+}
+
+TEST_CASE("images without distortion are raw if their matrix is not that of rectified ones") {
+  CameraInfos infos{messageOf(test::plainCamera(640, 480, 500, 0)),
+                    messageOf(test::plainCamera(640, 480, 500, 0.2))};
+  CHECK(isRectified("/left/image", infos));
+  infos.right->K[0] = 400;
+  CHECK_FALSE(isRectified("/left/image", infos));
+  const auto rig = rawRig(infos, 640, 480);
+  REQUIRE(rig.isOk());
+  CHECK(rig.value().cameras[1].pinhole.fx == 400);
+  CHECK(rig.value().rectified.pinhole.fx == 500);
 }
 
 TEST_CASE("the topic of the camera that is wrong is named") {

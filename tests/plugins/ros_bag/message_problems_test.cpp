@@ -82,8 +82,8 @@ TEST_CASE("images without any time in their headers have those of recording, wit
   CHECK(played.frames[1].stamp_ns == stampOf(1) + 3'000'000);
   REQUIRE(played.context.log.size() == 1);
   CHECK_THAT(played.context.log[0],
-             Catch::EndsWith("/camera: no image has a time in its header; the times of recording "
-                             "are used, which are later than the exposures"));
+             Catch::EndsWith("/camera: no message has a time in its header; the times of "
+                             "recording are used, which are later than those of the measurements"));
 }
 
 TEST_CASE("a message that ends within its header, and the first of its topic") {
@@ -95,6 +95,29 @@ TEST_CASE("a message that ends within its header, and the first of its topic") {
   const Played skipped(folder.path() / "a.db3", kSkipped);
   CHECK(skipped.message.empty());
   CHECK(skipped.frames.size() == 4);
+}
+
+TEST_CASE("an image with more bytes than its header says is damaged") {
+  const test::TemporaryFolder folder;
+  const std::string longer = test::imageMessage({stampOf(2), 8, 6, "mono8", std::string(49, 'x')});
+  test::writeDb3(folder.path() / "a.db3", fiveImages(2, longer));
+  CHECK_THAT(Played(folder.path() / "a.db3").message,
+             Catch::Contains("has 49 bytes of pixels instead of 48"));
+}
+
+TEST_CASE("rows three times as long as the encoding needs are doubted") {
+  const test::TemporaryFolder folder;
+  const std::string colour =
+      test::imageMessage({stampOf(0), 8, 6, "mono8", std::string(3 * 48, 'x')});
+  test::writeDb3(folder.path() / "a.db3", fiveImages(0, colour));
+  Played played(folder.path() / "a.db3");
+  CHECK(played.frames.size() == 5);
+  const std::string text =
+      "/camera: the first image has rows of 24 bytes, 3 times those of 8 px in the encoding "
+      "'mono8': are the encoding and the width right?";
+  REQUIRE(played.context.log.size() == 1);
+  CHECK_THAT(played.context.log[0], Catch::EndsWith(text));
+  CHECK(std::ranges::count(played.findings(), "warning : " + text) == 1);
 }
 
 TEST_CASE("a header with nanoseconds that no clock gives is damaged") {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Odometry messages that contradict each other or themselves.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include "bag_case.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+constexpr std::int64_t kPeriod_ns = 20'000'000;
+
+/// 80 images in 4 s, and odometry every 20 ms. `write` gives the message of a time (s) and stamp.
+std::vector<test::RosMessage> driveWith(
+    const std::function<std::string(double, std::int64_t)>& write) {
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < 80; ++i) messages.push_back(greyImage("/camera", i));
+  for (int i = 0; i <= 200; ++i) {
+    const std::int64_t stamp = stampOf(0) + kPeriod_ns * i;
+    messages.push_back({"/odom", std::string(kOdometry), stamp, write(0.02 * i, stamp)});
+  }
+  return messages;
+}
+
+bool isTold(const Played& played, const std::string& text) {
+  return std::ranges::any_of(played.context.log, [&](const std::string& line) {
+    return line.find(text) != std::string::npos;
+  });
+}
+
+Played playedOf(const test::TemporaryFolder& folder, const std::vector<test::RosMessage>& messages,
+                const ParameterValues& values = {}) {
+  std::filesystem::remove(folder.path() / "a.db3");
+  test::writeDb3(folder.path() / "a.db3", messages);
+  return Played(folder.path() / "a.db3", values);
+}
+
+}  // namespace
+
+TEST_CASE("poses in cm with velocities in m/s are told, others are not") {
+  const test::TemporaryFolder folder;
+  const double scale = GENERATE(1.0, 100.0, 1000.0);
+  const double speed = GENERATE(0.0, 0.6);  // 0: not measured
+  CAPTURE(scale, speed);
+  const Played played =
+      playedOf(folder, driveWith([&](double time, std::int64_t stamp) {
+                 return test::odometryMessage(stamp, scale * 0.6 * time, 0, 0, speed);
+               }));
+  CHECK(played.message.empty());
+  CHECK(isTold(played, "are both in m and m/s?") == (scale > 1 && speed > 0));
+}
+
+TEST_CASE("a robot that stands, with noise in its odometry, has no doubtful unit") {
+  const test::TemporaryFolder folder;
+  const Played played =
+      playedOf(folder, driveWith([&](double time, std::int64_t stamp) {
+                 const double noise = 0.001 * std::sin(1e4 * time);
+                 return test::odometryMessage(stamp, noise, 0, 0, std::abs(noise));
+               }));
+  CHECK(played.message.empty());
+  CHECK(played.context.log.empty());
+}
+
+TEST_CASE("poses in another frame are refused, or left out") {
+  const test::TemporaryFolder folder;
+  const auto messages = driveWith([&](double time, std::int64_t stamp) {
+    const bool other = static_cast<int>(std::round(time / 0.02)) % 2 == 1;
+    return test::odometryMessage(stamp, time, other ? 2 : 0, 0, 0, other ? "map" : "odom");
+  });
+  const std::string text =
+      " is a pose in the frames 'map, base', and the first message in 'odom, base', and 99 more "
+      "like it";
+  CHECK_THAT(playedOf(folder, messages).message, Catch::Contains(text));
+  const Played skipped = playedOf(folder, messages, {{"on_corrupt", std::string("skip")}});
+  CHECK(skipped.message.empty());
+  CHECK(isTold(skipped, text));
+  for (const NamedArray& array : skipped.frames.at(3).sensors) {
+    if (array.name == "motion.planar") CHECK(array.values.at(1) == Approx(0).margin(1e-6));
+  }
+}
+
+TEST_CASE("two poses of one time are refused, and times of recording are told") {
+  const test::TemporaryFolder folder;
+  auto messages = driveWith(
+      [](double time, std::int64_t stamp) { return test::odometryMessage(stamp, time, 0, 0); });
+  messages.push_back(
+      {"/odom", std::string(kOdometry), stampOf(0), test::odometryMessage(stampOf(0), 5, 0, 0)});
+  CHECK_THAT(playedOf(folder, messages).message,
+             Catch::StartsWith("/odom: messages 0 and 201 (counted from 0) have the time ") &&
+                 Catch::Contains("and different contents"));
+  const Played without = playedOf(folder, driveWith([](double time, std::int64_t) {
+                                    return test::odometryMessage(0, time, 0, 0);
+                                  }));
+  CHECK(without.message.empty());
+  CHECK(isTold(without, "/odom: no message has a time in its header"));
+}
+
+}  // namespace tolman::ros_bag
