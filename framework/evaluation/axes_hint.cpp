@@ -188,6 +188,23 @@ std::string unitHint(const Matches& matches) {
       truth / estimate);
 }
 
+std::string speedHint(const Matches& matches) {
+  constexpr double kFastest = 1000;  // m/s, 3600 km/h: chosen; no aircraft with a camera is faster
+  const Trajectory& timed = hasStamps(matches.truth) ? matches.truth : matches.estimate;
+  std::vector<double> speeds;
+  for (std::size_t i = 1; i < timed.size(); ++i) {
+    const double seconds = 1e-9 * static_cast<double>(timed[i].stamp_ns - timed[i - 1].stamp_ns);
+    if (seconds > 0) speeds.push_back(step(matches.truth, i).norm() / seconds);
+  }
+  if (speeds.empty()) return "";
+  const double median = statistics(speeds).median;
+  if (median <= kFastest) return "";
+  return fmt::format(
+      "by the stamps the true path is driven at {:.3g} m/s (median), faster than any vehicle: are "
+      "its positions in metres, and the stamps in seconds?",
+      median);
+}
+
 std::string scaleHint(const Matches& matches) {
   constexpr double kFactor = 1.5;      // odometry drifts by less; chosen, not tuned
   constexpr double kAgreement = 0.02;  // of the true path; chosen, not tuned

@@ -33,6 +33,10 @@ std::string upHint(const Trajectory& truth);
 /// than two thirds of a true path of 1 m or more, or does not move; else empty.
 std::string unitHint(const Matches& matches);
 
+/// A warning if the median speed of the truth by the stamps, of the estimate where the truth has
+/// none, is above 1 km/s, as where both paths are in millimetres; else empty.
+std::string speedHint(const Matches& matches);
+
 /// A warning if the estimate agrees with the truth but for its scale, by a factor of more than 1.5
 /// and within 2 % of the true path, as with a wrong baseline; else empty. An estimate that is only
 /// poor agrees at no scale.

@@ -198,6 +198,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   scorePositions(pairs, alignment, scores);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);
+  if (metrics.warning.empty()) metrics.warning = speedHint(pairs);
   if (metrics.warning.empty()) metrics.warning = rotationHint(pairs);
   scores.rpe_frame = relativeErrorOverFrames(pairs);
   scores.rpe_metre = relativeErrorOverDistance(pairs);

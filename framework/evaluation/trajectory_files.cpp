@@ -71,7 +71,8 @@ double coordinate(std::string_view word) {
 std::int64_t stampNs(std::string_view word) {
   const double seconds = number(word);
   if (std::abs(seconds) > kLatest) {
-    throw LineError("stamp " + shown(word) + " is too large; stamps are seconds");
+    throw LineError("stamp " + shown(word) +
+                    " is too large; stamps are seconds: divide ns by 1e9, us by 1e6 and ms by 1e3");
   }
   const std::size_t point = std::min(word.find('.'), word.size());
   const bool plain = word.find_first_not_of("0123456789.") == std::string_view::npos;
@@ -136,6 +137,13 @@ LineReader formatOf(const std::vector<std::string_view>& entries) {
   if (entries.size() == 12) return kittiPose;
   throw LineError("neither a TUM pose (8 numbers) nor a KITTI pose (12 numbers): found " +
                   std::to_string(entries.size()) + " entries");
+}
+
+/// Whether this is a pose of a EuRoC or TUM-VI CSV file: commas, and a stamp in whole ns.
+bool isEuroc(std::string_view line, std::string_view first_word) {
+  constexpr std::size_t kDigits = 16;  // in ns, of any time since February 1970; more than seconds
+  return line.find(',') != std::string_view::npos && first_word.size() >= kDigits &&
+         first_word.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 void append(Trajectory& trajectory, TrajectoryPose pose, bool has_stamps) {
@@ -227,6 +235,11 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
     try {
       const std::vector<std::string_view> entries = words(line);
       if (entries.empty()) continue;
+      if (reader == nullptr && isEuroc(line, entries.front())) {
+        throw LineError(
+            "is of a CSV file of EuRoC or TUM-VI (stamps in ns, qw before qx); give a TUM file, as "
+            "'evo_traj euroc FILE --save_as_tum' writes it");
+      }
       if (reader == nullptr) reader = formatOf(entries);
       append(trajectory, reader(entries), entries.size() == 8);
       cut_line.check(entries.back(), !stream.eof());

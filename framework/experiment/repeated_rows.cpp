@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace tolman::experiment {
@@ -27,6 +29,20 @@ bool sameResults(const RunRow& a, const RunRow& b) {
   return figures(a) == figures(b);
 }
 
+/// The first metric except times that both have, with values that differ; empty if there is none.
+std::string otherFigure(const RunRow& a, const RunRow& b) {
+  constexpr double kSame = 1e-6;  // relative: digits that a table may have lost
+  for (const auto& [metric, value] : a.metrics) {
+    const auto other = b.metrics.find(metric);
+    if (other == b.metrics.end() || isTime(metric)) continue;
+    const double largest = std::max(std::abs(value), std::abs(other->second));
+    if (std::abs(value - other->second) <= kSame * largest) continue;
+    return fmt::format("{} of '{}' is {:.6g} ({}) and {:.6g} ({})", metric, a.name, value,
+                       a.directory.string(), other->second, b.directory.string());
+  }
+  return "";
+}
+
 }  // namespace
 
 Status oneSetting(const RunRow& a, const RunRow& b) {
@@ -39,21 +55,30 @@ Status oneSetting(const RunRow& a, const RunRow& b) {
 Result<std::string> mergeRepeats(std::vector<RunRow>& rows) {
   std::map<Labels, std::size_t> first;
   std::vector<RunRow> kept;
+  std::string changed;
+  std::size_t changes = 0;
   for (RunRow& row : rows) {
     const auto [same, is_new] = first.try_emplace(labelsOf(row), kept.size());
     if (is_new) {
       kept.push_back(std::move(row));
     } else if (!sameResults(kept[same->second], row)) {
       return oneSetting(kept[same->second], row);
+    } else if (const std::string other = otherFigure(kept[same->second], row); !other.empty()) {
+      if (changes++ == 0) changed = other;
     }
   }
   const std::size_t repeated = rows.size() - kept.size();
   rows = std::move(kept);
   if (repeated == 0) return std::string();
-  return fmt::format(
+  const std::string note = fmt::format(
       "{} of {} runs were given twice: another of the same factors and seed has the same results. "
       "They count once.",
       repeated, rows.size() + repeated);
+  if (changes == 0) return note;
+  return note + fmt::format(
+                    " {} of them have other figures in spite of the same digest of results ({}): "
+                    "the first given counts; was a table edited, or scored by another version?",
+                    changes, changed);
 }
 
 }  // namespace tolman::experiment

@@ -161,6 +161,24 @@ TEST_CASE("positions in millimetres are detected; a poor scale gives no hint") {
   CHECK(unitHint(test::paired(estimate, still)) == "the estimate does not move");
 }
 
+TEST_CASE("two paths in millimetres are detected by the speed that the stamps tell") {
+  const auto scaled = [](double factor) {
+    return test::moved(drive(), Eigen::Isometry3d::Identity(), factor);  // of 10 m/s
+  };
+  const std::string hint = speedHint(test::paired(scaled(1000), scaled(1000)));
+  CHECK(hint.starts_with("by the stamps the true path is driven at 1e+04 m/s (median)"));
+  CHECK(speedHint(test::paired(scaled(90), scaled(90))).empty());
+  CHECK(scoreTrajectory(scaled(1000), scaled(1000), Alignment::Se3).warning == hint);
+  CHECK(scoreTrajectory(scaled(1000), scaled(1000), Alignment::Sim3).warning == hint);
+  CHECK(toJson(scoreTrajectory(scaled(1000), scaled(1000), Alignment::Se3))["warning"] == hint);
+  CHECK(scoreTrajectory(scaled(1), scaled(1), Alignment::Se3).warning.empty());
+  // Only one of the two has times, or none has.
+  Trajectory untimed = scaled(1000);
+  for (TrajectoryPose& pose : untimed) pose.stamp_ns = 0;
+  CHECK(speedHint(test::paired(untimed, scaled(1000))) == hint);
+  CHECK(speedHint(test::paired(untimed, untimed)).empty());
+}
+
 TEST_CASE("poses with x forward and z up are detected; camera poses and slopes give no hint") {
   Eigen::Matrix3d R_camera_body;
   R_camera_body << 0, -1, 0, 0, 0, -1, 1, 0, 0;

@@ -83,6 +83,19 @@ TEST_CASE("the format is found out from the first pose") {
         "entries");
 }
 
+TEST_CASE("a CSV file of EuRoC is named as such") {
+  const Folder folder;
+  const std::string message =
+      "poses.txt:2: is of a CSV file of EuRoC or TUM-VI (stamps in ns, qw before qx); give a TUM "
+      "file, as 'evo_traj euroc FILE --save_as_tum' writes it";
+  const std::string header = "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m]\n";
+  const std::string pose = "1403636580838555648,4.688,-1.786,0.783,0.534,-0.153,-0.827,-0.082";
+  CHECK(folder.tumRefusal(header + pose + "\n") == message);
+  CHECK(folder.tumRefusal(header + pose + ",-0.027,0.033,0.8,0,0,0,0,0,0\n") == message);
+  // TUM files with commas are read as before.
+  CHECK(readTrajectory(folder.file("1403636580.838,0,0,0,0,0,0,1\n")).isOk());
+}
+
 TEST_CASE("broken trajectory files are refused with file and line") {
   const Folder folder;
   CHECK(folder.tumRefusal("") == "poses.txt: holds no pose");
@@ -104,9 +117,11 @@ TEST_CASE("broken trajectory files are refused with file and line") {
   CHECK(folder.tumRefusal("1 0 0 0 0 0 0 0.5\n") ==
         "poses.txt:1: the quaternion has length 0.500000 instead of 1");
   CHECK(folder.tumRefusal("99999999999 0 0 0 0 0 0 1\n") ==
-        "poses.txt:1: stamp '99999999999' is too large; stamps are seconds");
+        "poses.txt:1: stamp '99999999999' is too large; stamps are seconds: divide ns by 1e9, us "
+        "by 1e6 and ms by 1e3");
   CHECK(folder.tumRefusal("-4000000001 0 0 0 0 0 0 1\n") ==
-        "poses.txt:1: stamp '-4000000001' is too large; stamps are seconds");
+        "poses.txt:1: stamp '-4000000001' is too large; stamps are seconds: divide ns by 1e9, us "
+        "by 1e6 and ms by 1e3");
   CHECK(folder.kittiRefusal(kIdentity + "1 2 3\n") ==
         "poses.txt:2: expected 12 numbers (rows of a 3x4 pose), found 3");
   CHECK(folder.kittiRefusal("1 0 0 0 0 1 0 0 0 0 -1 0\n") ==

@@ -63,6 +63,20 @@ TEST_CASE("of runs with the same factors, seed and results one is left") {
   CHECK(mergeRepeats(rows).status().message() == kRefusal);
 }
 
+TEST_CASE("equal digests with other figures are told") {
+  std::vector<RunRow> edited = sweep("b");
+  edited[2].metrics["map.ate.rmse_m"] = 9.9;
+  edited[3].metrics["timing.map.mean_ms"] = 7;           // a slower computer
+  edited[4].metrics["map.ate.rmse_m"] = 3 * (1 + 1e-9);  // digits of a table
+  std::vector<RunRow> rows = together(sweep("a"), edited);
+  CHECK_THAT(mergeRepeats(rows).value(),
+             Catch::StartsWith("6 of 12 runs were given twice") &&
+                 Catch::Contains(" 1 of them have other figures in spite of the same digest of "
+                                 "results (map.ate.rmse_m of '75/2' is 2 (a) and 9.9 (b))"));
+  REQUIRE(rows.size() == 6);
+  CHECK(rows[2].metrics["map.ate.rmse_m"] == 2);
+}
+
 TEST_CASE("the order of factors does not matter, and without digests the figures decide") {
   std::vector<RunRow> rows = {repeatedRow("a", "75", 1, 1), repeatedRow("b", "75", 1, 1)};
   std::swap(rows[1].factors[0], rows[1].factors[1]);

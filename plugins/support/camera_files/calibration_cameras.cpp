@@ -49,8 +49,7 @@ Pinhole pinholeOf(const std::vector<double>& v, std::size_t first) {
 }
 
 Pinhole pinholeOf(const Node& matrix) {
-  const Eigen::Matrix3d K = matrix3(matrix);
-  return {K(0, 0), K(1, 1), K(0, 2), K(1, 2)};
+  return checkedPinhole(matrix3(matrix), matrix.line, inQuotes(matrix.key));
 }
 
 LensModel modelOf(const Node& name) {
@@ -201,6 +200,7 @@ void addRectified(const Node& tree, FileCamera& found) {
   if (R == nullptr || P == nullptr) return;
   const RowMajor34 projection(numbersOf(*P, 12).data());
   if (projection(0, 0) <= 0 || projection(1, 1) <= 0) return;
+  (void)checkedPinhole(projection.leftCols<3>(), P->line, inQuotes(P->key));
   found.camera.R_rectified_camera = rotationOf(matrix3(*R), R->line);
   found.P_rectified = projection;
   found.rectified_line = P->line;
@@ -234,6 +234,22 @@ Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line) {
   }
   // Below 1e-9 it is exact up to rounding.
   return error < 1e-9 ? M : Eigen::Quaterniond(M).normalized().toRotationMatrix();
+}
+
+Pinhole checkedPinhole(const Eigen::Matrix3d& K, int line, std::string_view name) {
+  constexpr double kUnused = 1e-4;  // chosen: less moves no pixel by a tenth
+  const Pinhole pinhole = {K(0, 0), K(1, 1), K(0, 2), K(1, 2)};
+  Eigen::Matrix3d expected = Eigen::Matrix3d::Identity();
+  expected << pinhole.fx, 0, pinhole.cx, 0, pinhole.fy, pinhole.cy, 0, 0, 1;
+  if ((K - expected).cwiseAbs().maxCoeff() <= kUnused) return pinhole;
+  throw FileError(line, std::string(name) +
+                            " has other numbers than 0 for the skew, or than 0 0 1 in the third "
+                            "row (fx 0 cx, 0 fy cy, 0 0 1); correct the calibration");
+}
+
+Eigen::Vector3d offsetOf(const Projection& P) {
+  return {(P(0, 3) - P(0, 2) * P(2, 3)) / P(0, 0), (P(1, 3) - P(1, 2) * P(2, 3)) / P(1, 1),
+          P(2, 3)};
 }
 
 FileCameras camerasIn(const Node& tree) {

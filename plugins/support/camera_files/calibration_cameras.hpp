@@ -36,10 +36,18 @@ struct FileCameras {
 /// stereo_calib). Throws FileError.
 FileCameras camerasIn(const Node& tree);
 
-/// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it. Throws FileError.
-FileCameras kittiRawCameras(std::string_view text, int left);
+/// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it, of which one or,
+/// for a pair, two are wanted. Throws FileError, also for a pair whose entries contradict each
+/// other.
+FileCameras kittiRawCameras(std::string_view text, int left, int wanted);
 
 /// Makes a rotation from a file, which has few digits, orthonormal. Throws FileError.
 Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line);
+
+/// The numbers of the matrix `name`. Throws FileError unless it is fx 0 cx 0 fy cy 0 0 1.
+Pinhole checkedPinhole(const Eigen::Matrix3d& K, int line, std::string_view name);
+
+/// t of P = K [I | t], m: the origin of the reference in the axes of the rectified camera.
+Eigen::Vector3d offsetOf(const Projection& P);
 
 }  // namespace tolman::camera_files

@@ -40,9 +40,9 @@ bool hasLine(std::string_view text, std::string_view start) {
   return text.starts_with(start) || text.find("\n" + std::string(start)) != std::string_view::npos;
 }
 
-FileCameras readFile(const fs::path& file, int kitti_left) {
+FileCameras readFile(const fs::path& file, const WantedCameras& wanted) {
   const std::string text = readText(file);
-  if (hasLine(text, "K_0")) return kittiRawCameras(text, kitti_left);
+  if (hasLine(text, "K_0")) return kittiRawCameras(text, wanted.kitti_left, wanted.count);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin != std::string::npos && text[begin] == '<') return camerasIn(parseXml(text));
   return camerasIn(parseYaml(text));
@@ -100,10 +100,18 @@ void prescribe(const std::vector<FileCamera>& cameras, RawRig& rig) {
                     "the two rectified cameras have different focal lengths or centres; calibrate "
                     "them as a pair");
   }
-  rectified.baseline = (P(0, 3) - Q(0, 3)) / P(0, 0);
+  constexpr double kMisaligned = 0.02;  // of the baseline; KITTI's colour pairs have 0.009
+  const Eigen::Vector3d to_right = offsetOf(P) - offsetOf(Q);
+  rectified.baseline = to_right.x();
   if (rectified.baseline < 1e-3) {
     throw FileError(right.rectified_line,
                     "the right camera is not to the right of the left one; exchange the two");
+  }
+  if (std::hypot(to_right.y(), to_right.z()) > kMisaligned * to_right.x()) {
+    throw FileError(right.rectified_line,
+                    "the rectified right camera is " + shortNumber(to_right.y()) + " m below and " +
+                        shortNumber(to_right.z()) +
+                        " m before the left one; correct the fourth numbers of its rows");
   }
 }
 
@@ -129,7 +137,7 @@ Result<RawRig> readCameras(const std::vector<fs::path>& files, const WantedCamer
   try {
     for (const fs::path& next : files) {
       file = next;
-      FileCameras found = readFile(file, wanted.kitti_left);
+      FileCameras found = readFile(file, wanted);
       if (found.T_second_first) T_second_first = found.T_second_first;
       for (FileCamera& camera : found.cameras) {
         if (cameras.size() == count) break;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
+#include <numbers>
 
 #include "calibration_cameras.hpp"
 
@@ -36,10 +39,17 @@ class Lines {
     throw FileError(found->second.line, name + " has " + std::to_string(numbers.size()) +
                                             " numbers instead of " + std::to_string(count));
   }
-  Eigen::Matrix3d rotation(const std::string& name) const {
+  Eigen::Matrix3d matrix(const std::string& name) const {
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Eigen::Matrix3d M = RowMajor(numbers(name, 9).data());
+    return RowMajor(numbers(name, 9).data());
+  }
+  Eigen::Matrix3d rotation(const std::string& name) const {
+    const Eigen::Matrix3d M = matrix(name);
     return rotationOf(M, line(name));
+  }
+  Pinhole pinhole(const std::string& name) const {
+    const Eigen::Matrix3d K = matrix(name);
+    return checkedPinhole(K, line(name), name);
   }
   void size(const std::string& name, int& width, int& height) const {
     const std::vector<double> size = numbers(name, 2);
@@ -59,8 +69,7 @@ FileCamera cameraOf(const Lines& lines, const std::string& number) {
   found.has_pose = true;
   RawCamera& camera = found.camera;
   lines.size("S" + number, camera.width, camera.height);
-  const std::vector<double> K = lines.numbers("K" + number, 9);
-  camera.pinhole = {K[0], K[4], K[2], K[5]};
+  camera.pinhole = lines.pinhole("K" + number);
   found.line = found.size_line = lines.line("S" + number);
   found.pinhole_line = lines.line("K" + number);
   const std::vector<double> D = lines.numbers("D" + number, 5);
@@ -74,20 +83,78 @@ FileCamera cameraOf(const Lines& lines, const std::string& number) {
   using RowMajor = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
   found.P_rectified = RowMajor(lines.numbers("P_rect" + number, 12).data());
   found.rectified_line = lines.line("P_rect" + number);
+  (void)checkedPinhole(found.P_rectified->leftCols<3>(), found.rectified_line, "P_rect" + number);
   camera.R_rectified_camera = lines.rotation("R_rect" + number);
   lines.size("S_rect" + number, found.rectified_width, found.rectified_height);
   return found;
 }
 
+std::string placeText(const Eigen::Vector3d& place) {
+  return "(" + shortNumber(place.x()) + ", " + shortNumber(place.y()) + ", " +
+         shortNumber(place.z()) + ") m";
+}
+
+/// The rotation from the reference to the rectified axes: R_rect R.
+Eigen::Matrix3d rectifyingRotation(const RawCamera& camera) {
+  return camera.R_rectified_camera * camera.T_reference_camera.linear().transpose();
+}
+
+/// The origin of the reference in the rectified axes: R_rect T.
+Eigen::Vector3d rectifiedOrigin(const RawCamera& camera) {
+  return camera.R_rectified_camera * camera.T_reference_camera.inverse().translation();
+}
+
+/// Refuses a pair whose rectified cameras differ from the raw ones that they were computed from:
+/// both must have one size and one orientation, and P_rect must place them as T does. `l` and `r`
+/// are the numbers of the two cameras.
+void checkPair(const Lines& lines, const FileCamera& left, const FileCamera& right,
+               const std::string& l, const std::string& r) {
+  // The tolerances are chosen. KITTI's files of 2011_09_26 and 2011_09_30 have less than 1e-6
+  // degrees and 0.06 % (0.003 % the grey pairs); 0.1 degrees move a pixel by 1.3 px.
+  constexpr double kApart = 0.1;   // degrees
+  constexpr double kOther = 0.05;  // of the baseline
+  const auto size = [](const FileCamera& camera) {
+    return std::to_string(camera.rectified_width) + "x" + std::to_string(camera.rectified_height);
+  };
+  if (size(left) != size(right)) {
+    throw FileError(lines.line("S_rect" + r), "S_rect" + r + " is " + size(right) +
+                                                  " px, but S_rect" + l + " " + size(left) +
+                                                  " px; restore the file");
+  }
+  const Eigen::AngleAxisd turn(rectifyingRotation(right.camera) *
+                               rectifyingRotation(left.camera).transpose());
+  const double apart = turn.angle() * 180 / std::numbers::pi;
+  if (!(apart <= kApart)) {
+    throw FileError(lines.line("R_rect" + r),
+                    "R_rect" + r + " R" + r + " and R_rect" + l + " R" + l + " are " +
+                        shortNumber(apart) +
+                        " degrees apart, but are one rotation in a rectified pair; restore the "
+                        "file");
+  }
+  const Eigen::Vector3d by_P = offsetOf(*left.P_rectified) - offsetOf(*right.P_rectified);
+  const Eigen::Vector3d by_T = rectifiedOrigin(left.camera) - rectifiedOrigin(right.camera);
+  if (!((by_P - by_T).norm() <= kOther * std::max(by_P.norm(), by_T.norm()))) {
+    throw FileError(right.rectified_line, "P_rect" + l + " and P_rect" + r +
+                                              " place the right camera at " + placeText(by_P) +
+                                              " from the left one, but T" + l + " and T" + r +
+                                              " at " + placeText(by_T) + "; restore the file");
+  }
+}
+
 }  // namespace
 
-FileCameras kittiRawCameras(std::string_view text, int left) {
+FileCameras kittiRawCameras(std::string_view text, int left, int wanted) {
   const Lines lines(text);
   FileCameras all;
   for (const int camera : {left, left + 1}) {
     const std::string number = "_0" + std::to_string(camera);
     if (camera > left && !lines.has("K" + number)) break;
     all.cameras.push_back(cameraOf(lines, number));
+  }
+  const bool pair = wanted == 2 && all.cameras.size() == 2;
+  if (pair && all.cameras[0].P_rectified && all.cameras[1].P_rectified) {
+    checkPair(lines, all.cameras[0], all.cameras[1], "_0" + std::to_string(left),
+              "_0" + std::to_string(left + 1));
   }
   return all;
 }

@@ -2,6 +2,7 @@
 #include "text_tree.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -79,6 +80,12 @@ std::string inQuotes(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text.substr(0, kMax)) quoted += c >= ' ' && c <= '~' ? c : '?';
   return quoted + (text.size() > kMax ? "...'" : "'");
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  const int size = std::snprintf(text, sizeof text, "%.4g", value + 0.0);  // never -0
+  return {text, static_cast<std::size_t>(std::clamp(size, 0, 31))};
 }
 
 }  // namespace tolman::camera_files

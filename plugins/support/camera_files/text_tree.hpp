@@ -52,4 +52,7 @@ FileError givenTwice(int line, std::string_view key, int first_line);
 /// The text in quotes for a message, shortened and made printable.
 std::string inQuotes(std::string_view text);
 
+/// A number for a message, with four digits.
+std::string shortNumber(double value);
+
 }  // namespace tolman::camera_files

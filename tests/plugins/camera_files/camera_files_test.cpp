@@ -262,6 +262,26 @@ TEST_CASE("a distortion whose text is missing is no lens without distortion") {
   CHECK(refusal("distortion_model: none").empty());
 }
 
+TEST_CASE("a camera matrix with skew or another scale, and a lower right camera, are refused") {
+  const Folder folder;
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+    REQUIRE(text.find(from) != std::string::npos);
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string sound = ros("0");
+  CHECK(folder.refusal(sound, {1, 640, 480}).empty());
+  CHECK_THAT(folder.refusal(changed(sound, "[430.1, 0,", "[430.1, 3,"), {1, 640, 480}),
+             Catch::StartsWith("c.yaml:4: 'camera_matrix' has other numbers than 0 for the skew"));
+  CHECK_THAT(folder.refusal(changed(sound, "240.4, 0, 0, 1]", "240.4, 0, 0, 2]"), {1, 640, 480}),
+             Catch::StartsWith("c.yaml:4: 'camera_matrix' has"));
+  CHECK_THAT(folder.refusal(changed(sound, "235, 0, 0, 0, 1, 0]", "235, 0, 0, 0, 2, 0]")),
+             Catch::Contains("'projection_matrix' has"));
+  const auto left = folder.write("left.yaml", sound);
+  const auto right = folder.write("right.yaml", changed(ros("-40"), "235, 0,", "235, 4,"));
+  CHECK_THAT(readCameras({left, right}, kPair).status().message(),
+             Catch::Contains("the rectified right camera is -0.01 m below"));
+}
+
 TEST_CASE("calibrations of raw cameras are told from KITTI's rectified ones") {
   const Folder folder;
   CHECK(camera_files::isRawCalibration(folder.write("a.yaml", "x")));

@@ -33,6 +33,18 @@ std::string open(const DataFolder& data, KittiRawSource& source) {
   return data.anonymous(configure(source, {{"path", data.path("day/drive").string()}}));
 }
 
+/// The refusal of the calibration with one piece replaced; empty if it is accepted.
+std::string refusal(const std::string& from, const std::string& to, bool mono = false) {
+  const DataFolder data;
+  writeDrive(data, 80, 60);
+  std::string text = kCalibration;
+  REQUIRE(text.find(from) != std::string::npos);
+  data.write("day/calib_cam_to_cam.txt", text.replace(text.find(from), from.size(), to));
+  KittiRawSource source;
+  return data.anonymous(
+      configure(source, {{"path", data.path("day/drive").string()}, {"mono", mono}}));
+}
+
 }  // namespace
 
 TEST_CASE("raw images come with raw cameras and prescribed rectified ones") {
@@ -64,6 +76,46 @@ TEST_CASE("images of the rectified size are rectified already") {
   CHECK(info.rig.calibrated);
   CHECK(info.rig.pinhole.fx == 45);
   CHECK(info.rig.isStereo());
+}
+
+TEST_CASE("a pair whose entries contradict each other is refused, with keys and values") {
+  CHECK_THAT(
+      refusal("32 -22.5", "32 -2.25"),
+      Catch::StartsWith("DATA/day/calib_cam_to_cam.txt:17: P_rect_00 and P_rect_01 place the "
+                        "right camera at (0.05, 0, 0) m from the left one, but T_00 and "
+                        "T_01 at (0.5, 0, 0) m"));
+  CHECK_THAT(refusal("P_rect_00: 45 0 32 0", "P_rect_00: 45 0 32 2.8"),
+             Catch::Contains("at (0.5622, 0, 0) m from the left one"));
+  CHECK_THAT(refusal("T_01: -0.5", "T_01: -500"), Catch::Contains("at (500, 0, 0) m"));
+  CHECK_THAT(
+      refusal("R_rect_01: 1 0 0 0 1 0 0 0 1", "R_rect_01: 1 0 0 0 0.99995 -0.01 0 0.01 0.99995"),
+      Catch::StartsWith("DATA/day/calib_cam_to_cam.txt:16: R_rect_01 R_01 and R_rect_00 R_00 are "
+                        "0.573 degrees apart"));
+  CHECK_THAT(refusal("S_rect_01: 64 48", "S_rect_01: 60 48"),
+             Catch::StartsWith("DATA/day/calib_cam_to_cam.txt:15: S_rect_01 is 60x48 px, but "
+                               "S_rect_00 64x48 px"));
+  CHECK(refusal("32 -22.5", "32 -2.25", true).empty());  // one camera has no baseline
+}
+
+TEST_CASE("a pair that is consistent but for a per cent, or turned and turned back, is accepted") {
+  CHECK(refusal("32 -22.5", "32 -22.8").empty());
+  CHECK(refusal("R_01: 1 0 0 0 1 0 0 0 1\nT_01: -0.5 0 0\nS_rect_01: 64 48\n"
+                "R_rect_01: 1 0 0 0 1 0 0 0 1",
+                "R_01: 1 0 0 0 0.99995 -0.01 0 0.01 0.99995\nT_01: -0.5 0 0\nS_rect_01: 64 48\n"
+                "R_rect_01: 1 0 0 0 0.99995 0.01 0 -0.01 0.99995")
+            .empty());
+}
+
+TEST_CASE("matrices with skew or another scale, and a lower right camera, are refused") {
+  const std::string file = "DATA/day/calib_cam_to_cam.txt:";
+  CHECK_THAT(refusal("K_00: 50 0 40", "K_00: 50 3 40"),
+             Catch::StartsWith(file + "3: K_00 has other numbers than 0 for the skew"));
+  CHECK_THAT(refusal("K_01: 50 0 40 0 50 30 0 0 1", "K_01: 50 0 40 0 50 30 0 0 2"),
+             Catch::StartsWith(file + "11: K_01 has"));
+  CHECK_THAT(refusal("-22.5 0 45 24 0 0 0 1 0", "-22.5 0 45 24 0 0 0 2 0"),
+             Catch::StartsWith(file + "17: P_rect_01 has"));
+  CHECK_THAT(refusal("-22.5 0 45 24 0", "-22.5 0 45 24 0.6"),
+             Catch::StartsWith(file + "17: the rectified right camera is -0.01333 m below"));
 }
 
 TEST_CASE("other sizes, missing times and broken dates are named") {
