@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "image_listing.hpp"
+#include "named_times.hpp"
+#include "stated_rate.hpp"
 #include "text_file.hpp"
 #include "times_and_poses.hpp"
 
@@ -44,10 +46,11 @@ Camera readTable(const fs::path& table, const fs::path& images, Inspection& insp
       camera.images.push_back(images / fields[1]);
     }
   }
+  checkNamedTimes(table, camera.images, camera.stamps_ns, TimeUnit::Nanoseconds, inspection);
   return camera;
 }
 
-Camera readCamera(const fs::path& folder, Inspection& inspection) {
+Camera readImages(const fs::path& folder, Inspection& inspection) {
   const fs::path images = firstFolder({folder / "data", folder / "images"});
   if (images.empty()) {
     inspection.error(folder, "has neither data nor images; set path to the folder above cam0");
@@ -59,6 +62,14 @@ Camera readCamera(const fs::path& folder, Inspection& inspection) {
   Camera camera;
   camera.images = findImages(images, inspection);
   camera.stamps_ns = sortByTimes(camera.images, TimeUnit::Nanoseconds, inspection);
+  return camera;
+}
+
+Camera readCamera(const fs::path& folder, Inspection& inspection) {
+  Camera camera = readImages(folder, inspection);
+  if (!inspection.hasErrors()) {
+    checkStatedRate(folder / "sensor.yaml", camera.stamps_ns, inspection);
+  }
   return camera;
 }
 

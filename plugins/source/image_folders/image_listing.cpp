@@ -18,13 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isImage(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
-}
-
 void reportLonely(const fs::path& file, const fs::path& other_folder, Inspection& inspection) {
   inspection.error(other_folder, "has no " + file.stem().string() + ", the partner of " +
                                      (file.parent_path().filename() / file.filename()).string() +
@@ -152,6 +145,13 @@ class HiddenImages {
 };
 
 }  // namespace
+
+bool isImage(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
 
 std::vector<fs::path> findImages(const fs::path& folder, Inspection& inspection) {
   std::vector<fs::path> images;

@@ -9,6 +9,9 @@
 
 namespace tolman::image_folders {
 
+/// Whether the name is that of a PNG or JPEG file.
+bool isImage(const std::filesystem::path& file);
+
 /// The PNG and JPEG files in `folder`, in any order. It is an error if there are none, or two of
 /// the same name without extension. Hidden images (".cover.png") are left out with one warning,
 /// unless their name is a number (".5.png"); macOS's "._NAME.png" without one.

@@ -6,6 +6,7 @@
 
 #include "calibration.hpp"
 #include "camera_files.hpp"
+#include "named_times.hpp"
 #include "times_and_poses.hpp"
 
 namespace tolman::image_folders {
@@ -86,6 +87,9 @@ void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspecti
   const fs::path file = fs::path(p.path) / p.stamps;
   dataset.stamps_ns = readTimes(file, p.stamps_column, inspection, p.stamps_unit);
   checkCount(file, dataset.stamps_ns.size(), dataset.left.size(), inspection);
+  if (inspection.hasErrors()) return;
+  if (!p.stamps_column.empty()) checkNamedRows(file, p.path, dataset.left, inspection);
+  checkNamedTimes(file, dataset.left, dataset.stamps_ns, p.stamps_unit, inspection);
 }
 
 }  // namespace

@@ -24,6 +24,10 @@ void Inspection::warning(const std::filesystem::path& file, std::string message)
   findings_.push_back({Finding::Severity::Warning, file.string(), std::move(message)});
 }
 
+void Inspection::warning(const std::filesystem::path& file, int line, std::string message) {
+  warning(file.string() + ":" + std::to_string(line), std::move(message));
+}
+
 void Inspection::add(const std::string& file, std::string where, std::string message) {
   constexpr int kMaxErrors = 20;
   const int errors = ++errors_of_file_[file];

@@ -20,6 +20,7 @@ class Inspection {
   void error(const std::string& message);
   /// Adds a warning: something that may be intended. The data are used.
   void warning(const std::filesystem::path& file, std::string message);
+  void warning(const std::filesystem::path& file, int line, std::string message);
 
   bool hasErrors() const { return !errors_of_file_.empty(); }
   const std::vector<Finding>& findings() const { return findings_; }

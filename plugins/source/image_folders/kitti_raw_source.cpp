@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kitti_raw_source.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "dates.hpp"
+#include "text_file.hpp"
 #include "times_and_poses.hpp"
 
 namespace tolman::image_folders {
@@ -39,6 +41,29 @@ void readStamps(const KittiRawSource::Parameters& p, const fs::path& folder, Ima
   }
 }
 
+/// Warns where the right images are of other times than the left ones of the same name. Times of
+/// the right camera are not needed, so those that are damaged or missing are no problem.
+void checkRightTimes(const fs::path& file, const std::vector<std::int64_t>& left,
+                     Inspection& inspection) {
+  std::error_code ignored;
+  if (left.size() < 2 || !fs::exists(file, ignored)) return;
+  Inspection of_right;
+  const std::vector<std::int64_t> right = readDates(file, of_right);
+  if (of_right.hasErrors() || right.size() != left.size()) return;
+  // Half a frame: another image would be nearer. The cameras of the drives are triggered together.
+  const std::int64_t limit = (left.back() - left.front()) / (2 * (std::ssize(left) - 1));
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const std::int64_t apart = right[i] - left[i];
+    if (std::abs(apart) <= limit) continue;
+    inspection.warning(file, "puts right image " + std::to_string(i) + " " +
+                                 fixed(static_cast<double>(std::abs(apart)) * 1e-9, 3) + " s " +
+                                 (apart < 0 ? "before" : "behind") +
+                                 " the left one, more than half a frame; are the images of one "
+                                 "drive? Then correct the times, otherwise set mono: true");
+    return;
+  }
+}
+
 /// Drives with the suffix `sync` are rectified already: of the size of the rectified images.
 void useRectified(ImageDataset& dataset) {
   CameraRig& rig = dataset.rig;
@@ -69,6 +94,9 @@ Status KittiRawSource::load(const ParameterValues& values, FolderParameters& sha
   const bool stereo = !p.mono && fs::is_directory(right, ignored);
   readFolders(folder / "data", stereo ? right : fs::path(), std::nullopt, dataset, inspection);
   readStamps(p, folder, dataset, inspection);
+  const fs::path right_times = right.parent_path() / "timestamps.txt";
+  if (stereo && !inspection.hasErrors())
+    checkRightTimes(right_times, dataset.stamps_ns, inspection);
   const ImageSize size = dataset.size();
   dataset.rig.width = 0;  // of raw or of rectified images
   dataset.rig.height = 0;

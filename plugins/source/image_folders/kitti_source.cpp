@@ -6,6 +6,8 @@
 
 #include "calibration.hpp"
 #include "times_and_poses.hpp"
+#include "true_speeds.hpp"
+#include "tum_poses.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -78,8 +80,12 @@ void readTruth(const KittiParameters& p, const Eigen::Vector3d& t_left_camera0,
                ImageDataset& dataset, Inspection& inspection) {
   const fs::path file = posesFile(p);
   if (file.empty()) return;
-  dataset.T_world_left = readKittiPoses(file, inspection);
-  checkCount(file, dataset.T_world_left.size(), dataset.left.size(), inspection);
+  StampedPoses truth;
+  truth.T_world_camera = readKittiPoses(file, inspection, &truth.lines);
+  checkCount(file, truth.T_world_camera.size(), dataset.left.size(), inspection);
+  truth.stamps_ns = dataset.stamps_ns;
+  if (!inspection.hasErrors()) checkTrueSpeeds(file, truth, inspection);
+  dataset.T_world_left = std::move(truth.T_world_camera);
   const Eigen::Translation3d T_camera0_left(-t_left_camera0);
   for (Eigen::Isometry3d& T : dataset.T_world_left) T = T * T_camera0_left;
 }

@@ -239,10 +239,12 @@ std::vector<std::int64_t> sortByTimes(std::vector<fs::path>& files, TimeUnit uni
   return times;
 }
 
-std::vector<Eigen::Isometry3d> readKittiPoses(const fs::path& file, Inspection& inspection) {
+std::vector<Eigen::Isometry3d> readKittiPoses(const fs::path& file, Inspection& inspection,
+                                              std::vector<int>* lines) {
   std::vector<Eigen::Isometry3d> poses;
   for (const TextLine& line : readLines(file, inspection)) {
     poses.push_back(parsePose(file, line, inspection));
+    if (lines != nullptr) lines->push_back(line.number);
   }
   return poses;
 }

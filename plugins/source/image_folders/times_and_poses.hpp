@@ -36,9 +36,11 @@ std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std
 std::vector<std::int64_t> sortByTimes(std::vector<std::filesystem::path>& files, TimeUnit unit,
                                       Inspection& inspection);
 
-/// KITTI's poses: T_world_camera0 as 12 numbers per line, row by row, m.
+/// KITTI's poses: T_world_camera0 as 12 numbers per line, row by row, m. The number of the line of
+/// each is added to `lines`.
 std::vector<Eigen::Isometry3d> readKittiPoses(const std::filesystem::path& file,
-                                              Inspection& inspection);
+                                              Inspection& inspection,
+                                              std::vector<int>* lines = nullptr);
 
 /// Adds an error unless `file` has as many entries as there are images. No error for no entries:
 /// there is one already.

@@ -42,6 +42,7 @@ StampedPoses readTumPoses(const std::filesystem::path& file, Inspection& inspect
     } else {
       poses.stamps_ns.push_back(*ns);
       poses.T_world_camera.push_back(*pose);
+      poses.lines.push_back(line.number);
     }
   }
   return poses;

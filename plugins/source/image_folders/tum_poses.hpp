@@ -13,10 +13,11 @@
 
 namespace tolman::image_folders {
 
-/// Times, which increase, and the pose at each time.
+/// Times, which increase, and the pose at each time and its line.
 struct StampedPoses {
   std::vector<std::int64_t> stamps_ns;
   std::vector<Eigen::Isometry3d> T_world_camera;
+  std::vector<int> lines;  ///< of the file, from 1
 };
 
 /// A line with an error gives an error in `inspection` and is left out.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "named_times.hpp"
 #include "text_file.hpp"
+#include "true_speeds.hpp"
 #include "tum_poses.hpp"
 
 namespace tolman::image_folders {
@@ -33,6 +35,7 @@ StampedFiles readList(const fs::path& root, const char* name, Inspection& inspec
       list.files.push_back(root / fields[1]);
     }
   }
+  checkNamedTimes(file, list.files, list.stamps_ns, TimeUnit::Seconds, inspection);
   return list;
 }
 
@@ -71,6 +74,7 @@ void addTruth(const TumSource::Parameters& p, ImageDataset& dataset, Inspection&
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
   const StampedPoses truth = readTumPoses(file, inspection);
+  checkTrueSpeeds(file, truth, inspection);
   std::vector<Eigen::Isometry3d> poses;
   for (const std::int64_t stamp : dataset.stamps_ns) {
     if (const auto pose = poseAt(truth, stamp, apart(p))) poses.push_back(*pose);

@@ -133,6 +133,28 @@ TEST_CASE("what is missing in EuRoC's layout is named") {
   CHECK_THAT(EurocOpened(data).message, Catch::Contains("has no two images of one time"));
 }
 
+TEST_CASE("a rate_hz that the times contradict is told, jitter and lost images are not") {
+  const DataFolder data;
+  writeEuroc(data);
+  const auto warningsFor = [&](const std::string& rate) {
+    data.write("mav0/cam0/sensor.yaml", sensor(0) + "rate_hz: " + rate + "\n");
+    EurocOpened mono(data, {{"mono", true}});
+    REQUIRE(mono.message.empty());
+    auto findings = inspect(mono.source);
+    findings.pop_back();  // the description
+    return findings;
+  };
+  CHECK(warningsFor("20").empty());
+  CHECK(warningsFor("25").empty());
+  const auto findings = warningsFor("200");
+  REQUIRE(findings.size() == 1);
+  CHECK(data.anonymous(findings[0]) ==
+        "note DATA/mav0/cam0/sensor.yaml:13: rate_hz is 200.0, but the images are at 20.0 Hz by "
+        "their times (median), which are used; if the times are right, correct rate_hz, otherwise "
+        "the times");
+  CHECK(warningsFor("2").size() == 1);
+}
+
 TEST_CASE("ten pairs of EuRoC V1_01: stamps, pixels and warnings", "[data]") {
   const auto path = test::dataOrSkip("euroc_v101");
   if (!path) return;

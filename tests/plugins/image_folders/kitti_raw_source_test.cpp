@@ -118,6 +118,27 @@ TEST_CASE("matrices with skew or another scale, and a lower right camera, are re
              Catch::StartsWith(file + "17: the rectified right camera is -0.01333 m below"));
 }
 
+TEST_CASE("right images of other times than the left ones are told") {
+  const DataFolder data;
+  writeDrive(data, 80, 60);
+  const auto warningsFor = [&](const std::string& right) {
+    data.write("day/drive/image_01/timestamps.txt", right);
+    KittiRawSource source;
+    REQUIRE(open(data, source).empty());
+    auto findings = inspect(source);
+    findings.pop_back();  // the description
+    return findings;
+  };
+  CHECK(warningsFor("2011-09-26 13:02:25.9643\n2011-09-26 13:02:26.0643\n").empty());
+  CHECK(warningsFor("2011-09-26 13:02:25.9643\n2011-09-26 13:02:xx\n").empty());
+  const auto findings =
+      warningsFor("2011-09-26 13:04:25.964389445\n2011-09-26 13:04:26.064389445\n");
+  REQUIRE(findings.size() == 1);
+  CHECK_THAT(data.anonymous(findings[0]),
+             Catch::Contains("DATA/day/drive/image_01/timestamps.txt: puts right image 0 120.000 s "
+                             "behind the left one"));
+}
+
 TEST_CASE("other sizes, missing times and broken dates are named") {
   const DataFolder data;
   writeDrive(data, 100, 60);
