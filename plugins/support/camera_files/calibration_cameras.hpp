@@ -39,6 +39,10 @@ FileCameras camerasIn(const Node& tree);
 /// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it. Throws FileError.
 FileCameras kittiRawCameras(std::string_view text, int left);
 
+/// The numbers of a list, or of a matrix with rows, cols and data. Throws FileError for another
+/// count.
+std::vector<double> numbersOf(const Node& node, std::size_t count);
+
 /// Makes a rotation from a file, which has few digits, orthonormal. Throws FileError.
 Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line);
 

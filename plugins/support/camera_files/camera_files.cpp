@@ -9,6 +9,7 @@
 
 #include "calibration_cameras.hpp"
 #include "open_files.hpp"
+#include "pair_check.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::camera_files {
@@ -40,12 +41,15 @@ bool hasLine(std::string_view text, std::string_view start) {
   return text.starts_with(start) || text.find("\n" + std::string(start)) != std::string_view::npos;
 }
 
-FileCameras readFile(const fs::path& file, int kitti_left) {
+FileCameras readFile(const fs::path& file, const WantedCameras& wanted) {
   const std::string text = readText(file);
-  if (hasLine(text, "K_0")) return kittiRawCameras(text, kitti_left);
+  if (hasLine(text, "K_0")) return kittiRawCameras(text, wanted.kitti_left);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin != std::string::npos && text[begin] == '<') return camerasIn(parseXml(text));
-  return camerasIn(parseYaml(text));
+  const bool is_xml = begin != std::string::npos && text[begin] == '<';
+  const Node tree = is_xml ? parseXml(text) : parseYaml(text);
+  FileCameras cameras = camerasIn(tree);
+  if (wanted.count == 2) checkPair(tree, cameras);
+  return cameras;
 }
 
 std::string sizeText(int width, int height) {
@@ -129,7 +133,7 @@ Result<RawRig> readCameras(const std::vector<fs::path>& files, const WantedCamer
   try {
     for (const fs::path& next : files) {
       file = next;
-      FileCameras found = readFile(file, wanted.kitti_left);
+      FileCameras found = readFile(file, wanted);
       if (found.T_second_first) T_second_first = found.T_second_first;
       for (FileCamera& camera : found.cameras) {
         if (cameras.size() == count) break;
