@@ -230,7 +230,8 @@ class RunTest(Systems):
     def test_a_text_is_this_text(self):
         """Whatever YAML would read in it."""
         config = self.config()
-        for i, name in enumerate(("null", "~", "a: b", "run #5", '"q"', "'", "|", "- a", "[1, 2]", "back\\slash", " blank ", "é", "true", "30")):
+        names = ("null", "~", "a: b", "run #5", '"q"', "'", "|", "- a", "[1, 2]", "back\\slash", " blank ", "é", "true", "30")
+        for i, name in enumerate(names):
             self.assertEqual(tolman.run(config, set={"name": name}, out=self.folder / f"text{i}").info["name"], name)
         run = tolman.run(config, set={"source.last": "9"}, out=self.folder / "number")  # a number as a text
         self.assertEqual(len(run.motion), 10)

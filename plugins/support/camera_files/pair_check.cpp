@@ -99,7 +99,8 @@ void checkOpenCv(const Node& tree, const Eigen::Isometry3d& T_second_first) {
   if (!Q.empty() && Q[14] != 0) compareLengths(tree, length, "Q", 1 / std::abs(Q[14]));
   const std::optional<Eigen::Matrix3d> R1 = comparedRotation(tree, "R1");
   const std::optional<Eigen::Matrix3d> R2 = comparedRotation(tree, "R2");
-  if (!R1 || !R2) return;
+  // Programs that do not rectify write R1 and R2 without a turn; stereoRectify() never does.
+  if (!R1 || !R2 || (R1->isIdentity() && R2->isIdentity())) return;
   compareRotations(*tree.find({"R"}), T_second_first.linear(), "'R1' and 'R2'",
                    R2->transpose() * *R1);
 }

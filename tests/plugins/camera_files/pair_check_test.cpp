@@ -92,13 +92,16 @@ TEST_CASE("OpenCV: T must be that of P2 and Q") {
 
 TEST_CASE("OpenCV: R must be that between R1 and R2") {
   const std::string none = "1., 0., 0., 0., 1., 0., 0., 0., 1.";
-  const std::string half = "0.8, -0.6, 0., 0.6, 0.8, 0., 0., 0., 1.";
-  const auto pair = [](const std::string& R1, const std::string& R2) {
-    return openCv(openCvMatrix("R1", 3, 3, R1) + openCvMatrix("R2", 3, 3, R2));
+  const std::string turned = "0.8, -0.6, 0., 0.6, 0.8, 0., 0., 0., 1.";
+  const auto pair = [&](const std::string& R1, const std::string& R2, const std::string& R) {
+    std::string text = openCv(openCvMatrix("R1", 3, 3, R1) + openCvMatrix("R2", 3, 3, R2));
+    return text.replace(text.rfind(none, text.find("T: ")), none.size(), R);
   };
-  CHECK(refusalOf(pair(none, none), "c.yml").empty());
-  CHECK(refusalOf(pair(half, half), "c.yml").empty());
-  CHECK(refusalOf(pair(half, none), "c.yml") ==
+  CHECK(refusalOf(pair(turned, turned, none), "c.yml").empty());
+  CHECK(refusalOf(pair(turned, none, turned), "c.yml").empty());
+  CHECK(refusalOf(pair(none, none, turned), "c.yml").empty());  // not computed
+  CHECK(refusalOf(pair(turned, none, none), "c.yml") ==
         "c.yml:23: 'R' turns by 0 degrees, but 'R1' and 'R2' by 36.87 degrees, which is 36.87 "
         "degrees away; correct the wrong ones");
+  CHECK_THAT(refusalOf(pair(none, turned, turned), "c.yml"), Catch::Contains("73.74 degrees away"));
 }
