@@ -32,10 +32,21 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
                         "is no run directory, it holds no run.sqlite; give the folder that a run "
                         "has written"));
   }
+  Result<std::unique_ptr<RunReader>> reader = openAs(directory, file, Access::ReadOnly);
+  if (reader.isOk() || !hasForeignLog(directory, file)) return reader;
+  return Status::invalidInput(
+      file.string() +
+      ": is whole, but the run.sqlite-wal beside it is of another state of it, such as a copy that "
+      "was made during the run; remove run.sqlite-wal and run.sqlite-shm");
+}
+
+Result<std::unique_ptr<RunReader>> RunReader::openAs(const std::filesystem::path& directory,
+                                                     const std::filesystem::path& file,
+                                                     Access access) {
   std::unique_ptr<RunReader> reader;
   std::string id;
   const Status status = guarded(file.string(), [&] {
-    reader.reset(new RunReader(directory, file));
+    reader.reset(new RunReader(directory, file, access));
     id = reader->entry(kRunIdKey);
   });
   if (!status.isOk()) return Status::invalidInput(status.message());
@@ -45,10 +56,20 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
   return reader;
 }
 
-RunReader::RunReader(std::filesystem::path directory, const std::filesystem::path& file)
+bool RunReader::hasForeignLog(const std::filesystem::path& directory,
+                              const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file.string() + "-wal", ignored)) return false;
+  if (!RunDirectory::hasEnded(directory)) return false;
+  const auto alone = openAs(directory, file, Access::WithoutLog);
+  return alone.isOk() && alone.value()->hasEnd();
+}
+
+RunReader::RunReader(std::filesystem::path directory, const std::filesystem::path& file,
+                     Access access)
     : directory_(std::move(directory)),
       name_(file.string()),
-      database_(openDatabase(file, Access::ReadOnly)) {
+      database_(openDatabase(file, access)) {
   database_.exec("BEGIN");  // all reads see one state
   checkVersion();
   requireOwnTables(database_);

@@ -80,7 +80,14 @@ class RunReader {
   const Database& database() const { return database_; }
 
  private:
-  RunReader(std::filesystem::path directory, const std::filesystem::path& file);
+  RunReader(std::filesystem::path directory, const std::filesystem::path& file, Access access);
+  static Result<std::unique_ptr<RunReader>> openAs(const std::filesystem::path& directory,
+                                                   const std::filesystem::path& file,
+                                                   Access access);
+  /// Whether the run has ended and its file is whole without the log beside it, which therefore is
+  /// not its own.
+  static bool hasForeignLog(const std::filesystem::path& directory,
+                            const std::filesystem::path& file);
   void checkVersion() const;
   /// A value of table `run`; empty where it has none.
   std::string entry(const std::string& key) const;

@@ -35,6 +35,19 @@ const char* remedy(int code) {
   }
 }
 
+/// The address of a file that SQLite takes for one that never changes, and reads without its log.
+std::string immutable(const std::filesystem::path& file) {
+  std::string address = "file:";
+  for (const char c : std::filesystem::absolute(file).string()) {
+    if (c == '%' || c == '?' || c == '#') {
+      address += c == '%' ? "%25" : c == '?' ? "%3f" : "%23";
+    } else {
+      address += c;
+    }
+  }
+  return address + "?immutable=1";
+}
+
 /// Rolls back the unfinished transaction of a killed writer, which a read-only connection cannot
 /// do. If that fails (read-only media), the reader fails as well with the reason.
 void rollBackJournal(const std::filesystem::path& file) {
@@ -67,7 +80,10 @@ Database openDatabase(const std::filesystem::path& file, Access access) {
                              "; move it, or enter a folder on the way to it");
   }
   if (access == Access::ReadOnly) rollBackJournal(file);
-  Database database(file.string(), mode | SQLite::OPEN_FULLMUTEX, kBusyTimeoutMs);
+  const bool has_log = access != Access::WithoutLog;
+  Database database(has_log ? file.string() : immutable(file),
+                    mode | SQLite::OPEN_FULLMUTEX | (has_log ? 0 : SQLite::OPEN_URI),
+                    kBusyTimeoutMs);
   database.exec(
       "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA foreign_keys = ON");
   return database;

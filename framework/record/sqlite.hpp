@@ -27,7 +27,8 @@ class BadRow : public std::runtime_error {
 /// Bytes of an absolute path without symbolic links: SQLite allows 512, and appends `-journal`.
 inline constexpr std::size_t kLongestDatabasePath = 504;
 
-enum class Access : std::uint8_t { Create, Write, ReadOnly };
+/// WithoutLog: only read, and as if FILE-wal did not exist; no other program may write the file.
+enum class Access : std::uint8_t { Create, Write, ReadOnly, WithoutLog };
 /// One connection. Not thread-safe.
 Database openDatabase(const std::filesystem::path& file, Access access);
 

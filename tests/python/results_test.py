@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results of a real run against what its files say, and measures of cells against activity that is known."""
+import contextlib
+import fcntl
 import json
 import math
+import os
+import pathlib
 import re
+import shutil
 import sqlite3
 import unittest
+import unittest.mock
 
-from support import ROOT, Systems
+from support import ROOT, Systems, tolman as tolman_program
 
 import numpy as np
 
 import tolman
-from tolman import cells, results
+from tolman import cells, npz, results
 
 
 class MeasuresTest(unittest.TestCase):
@@ -127,6 +133,67 @@ class RunTest(Systems):
         with self.assertRaisesRegex(ValueError, "run.sqlite: is of another run"):
             tolman.Run(run.path)
 
+    def test_a_record_without_its_end_is_refused(self):
+        """As the commands refuse it: run.json says that the run has ended, and the counts of rows are its last entry."""
+        run = self.made()
+        self.assertEqual(run.info["status"], "finished")
+        with sqlite3.connect(run.path / "run.sqlite") as database:
+            database.execute("DELETE FROM run WHERE key = 'rows'")
+        with self.assertRaisesRegex(ValueError, "run.sqlite: lacks the end of the run"):
+            tolman.Run(run.path)
+        self.assertIn("lacks the end of the run", tolman_program("export", run.path).stderr)
+        descriptor = os.open(run.path, os.O_RDONLY)  # as a run that is resumed holds it
+        self.addCleanup(os.close, descriptor)
+        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        self.assertEqual(len(tolman.Run(run.path).motion), 25)
+        fcntl.flock(descriptor, fcntl.LOCK_UN)
+        file = run.path / "run.json"
+        file.write_text(json.dumps({**run.info, "status": "running"}))  # killed: all that is left
+        self.assertEqual(len(tolman.Run(run.path).motion), 25)
+
+    def test_a_record_whose_rows_were_removed_is_refused(self):
+        run = self.made()
+        with sqlite3.connect(run.path / "run.sqlite") as database:
+            database.execute("DELETE FROM motion WHERE frame > 19")
+        with self.assertRaisesRegex(ValueError, "run.sqlite: table 'motion' has 20 rows, and had 25 when the run ended"):
+            tolman.Run(run.path)
+        with sqlite3.connect(run.path / "run.sqlite") as database:
+            database.execute("DELETE FROM run WHERE key = 'rows'")
+        (run.path / "run.json").unlink()  # nothing says that the run has ended
+        with self.assertRaisesRegex(ValueError, "run.sqlite: the motion of frame 20 is missing"):
+            tolman.Run(run.path)
+
+    def test_a_log_of_an_earlier_moment_beside_a_whole_record_is_named(self):
+        run = self.made()
+        file, other = run.path / "run.sqlite", self.folder / "other.sqlite"
+        shutil.copy(file, other)
+        with contextlib.closing(sqlite3.connect(other)) as database:
+            database.execute("PRAGMA journal_mode = WAL")
+            database.execute("DELETE FROM motion WHERE frame > 19")
+            database.commit()
+            shutil.copy(self.folder / "other.sqlite-wal", run.path / "run.sqlite-wal")
+        with self.assertRaisesRegex(ValueError, "run.sqlite: is whole, but the run.sqlite-wal beside it .*; remove run.sqlite-wal"):
+            tolman.Run(run.path)
+        for name in ("run.sqlite-wal", "run.sqlite-shm"):
+            (run.path / name).unlink(missing_ok=True)
+        self.assertEqual(len(tolman.Run(run.path).motion), 25)
+
+    def test_lengths_are_in_units_where_the_scale_is_unknown(self):
+        run = self.made()
+        if not hasattr(run.motion, "attrs"):
+            self.skipTest("needs python3-pandas")
+        self.assertEqual(run.motion.attrs["units"]["v"], "m/s")
+        with unittest.mock.patch.object(tolman.Run, "scale_known", False):
+            units = json.loads(str(np.load(npz.write(run.path))["units"]))
+            for name in ("frame", "motion", "place", "decision", "map_update", "experience", "link"):
+                told = run.table(name).attrs["units"]
+                renamed = lambda column: npz._RENAMED.get((name, column), column)
+                self.assertEqual(told, {column: units.get(f"{name}/{renamed(column)}", "") for column in told}, name)
+            self.assertEqual(run.motion.attrs["units"]["v"], "units/s")
+            self.assertEqual(run.frames.attrs["units"]["T_world_camera_truth_x"], "m")
+            self.assertEqual(run.trajectory("truth").attrs["units"]["x"], "m")
+            self.assertEqual(run.trajectory().attrs["units"]["x"], "units")
+
     def test_damaged_files_are_named(self):
         run = self.made()
         for name, text in (("metrics.json", "{"), ("metrics.json", "[]"), ("run.json", "x")):
@@ -147,6 +214,7 @@ class RunTest(Systems):
 
         self.assertEqual(_text({"a": [None, True, np.float64(0.5), np.int64(3), np.bool_(False)], "b": np.arange(2)}),
                          "{a: [null, true, 0.5, 3, false], b: [0, 1]}")
+        self.assertEqual(_text([pathlib.Path("/a b"), "word", "-0.5", "~"]), '["/a b", word, -0.5, "~"]')
         config = self.config()
         for value in ({1, 2}, b"x", 3j, object(), [{"a"}]):
             with self.assertRaisesRegex(TypeError, "set: 'seed': .*of type"):
@@ -158,6 +226,15 @@ class RunTest(Systems):
             tolman.run(config, set=["seed=3"])
         with self.assertRaisesRegex(tolman.RunFailed, "name=null: name: expects a text, not nothing"):
             tolman.run(config, set={"name": None}, out=self.folder / "c")
+
+    def test_a_text_is_this_text(self):
+        """Whatever YAML would read in it."""
+        config = self.config()
+        names = ("null", "~", "a: b", "run #5", '"q"', "'", "|", "- a", "[1, 2]", "back\\slash", " blank ", "é", "true", "30")
+        for i, name in enumerate(names):
+            self.assertEqual(tolman.run(config, set={"name": name}, out=self.folder / f"text{i}").info["name"], name)
+        run = tolman.run(config, set={"source.last": "9"}, out=self.folder / "number")  # a number as a text
+        self.assertEqual(len(run.motion), 10)
 
     def test_structured_arrays_without_pandas(self):
         import sys

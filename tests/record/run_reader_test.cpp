@@ -250,6 +250,29 @@ TEST_CASE("a record that was copied without its log is refused if the run has en
   }
 }
 
+TEST_CASE("a log of an earlier moment beside a whole record is named, with the remedy") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path run = folder.path() / "50% of #1?";  // signs of an address
+  std::filesystem::create_directory(run);
+  const auto replace = std::filesystem::copy_options::overwrite_existing;
+  {
+    auto recorder = Recorder::open(run).value();
+    REQUIRE(test::recordFrame(*recorder, 0).isOk());
+    REQUIRE(recorder->commit().isOk());
+    std::filesystem::copy_file(run / "run.sqlite-wal", folder.path() / "log", replace);
+    for (std::int64_t i = 1; i < 4; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+    REQUIRE(recorder->close().isOk());
+  }
+  std::filesystem::copy_file(folder.path() / "log", run / "run.sqlite-wal", replace);
+  std::ofstream(run / "run.json") << R"({"status": "finished"})";
+  CHECK(refusal(run) ==
+        "/run.sqlite: is whole, but the run.sqlite-wal beside it is of another state of it, such "
+        "as a copy that was made during the run; remove run.sqlite-wal and run.sqlite-shm");
+  std::filesystem::remove(run / "run.sqlite-wal");
+  std::filesystem::remove(run / "run.sqlite-shm");
+  CHECK(RunReader::open(run).value()->totals().value().frames == 4);
+}
+
 TEST_CASE("a record whose rows were removed after its end is refused") {
   for (const char* table : {"map_update", "final_pose"}) {
     const test::TemporaryFolder folder;

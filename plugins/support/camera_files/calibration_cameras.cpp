@@ -18,11 +18,12 @@ const Node& need(const Node& map, Names names) {
   throw FileError(map.line, "has no " + inQuotes(*names.begin()) + "; add it");
 }
 
-/// The numbers of a list, or of a matrix with rows, cols and data.
 std::vector<double> numbersOf(const Node& node) {
   const Node* data = node.find({"data"});
   return data == nullptr ? node.numbers() : data->numbers();
 }
+
+}  // namespace
 
 std::vector<double> numbersOf(const Node& node, std::size_t count) {
   std::vector<double> numbers = numbersOf(node);
@@ -30,6 +31,8 @@ std::vector<double> numbersOf(const Node& node, std::size_t count) {
   throw FileError(node.line, inQuotes(node.key) + " has " + std::to_string(numbers.size()) +
                                  " numbers instead of " + std::to_string(count));
 }
+
+namespace {
 
 Eigen::Matrix3d matrix3(const Node& node) { return RowMajor3(numbersOf(node, 9).data()); }
 

@@ -41,6 +41,10 @@ FileCameras camerasIn(const Node& tree);
 /// other.
 FileCameras kittiRawCameras(std::string_view text, int left, int wanted);
 
+/// The numbers of a list, or of a matrix with rows, cols and data. Throws FileError for another
+/// count.
+std::vector<double> numbersOf(const Node& node, std::size_t count);
+
 /// Makes a rotation from a file, which has few digits, orthonormal. Throws FileError.
 Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line);
 

@@ -9,6 +9,7 @@
 
 #include "calibration_cameras.hpp"
 #include "open_files.hpp"
+#include "pair_check.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::camera_files {
@@ -44,8 +45,11 @@ FileCameras readFile(const fs::path& file, const WantedCameras& wanted) {
   const std::string text = readText(file);
   if (hasLine(text, "K_0")) return kittiRawCameras(text, wanted.kitti_left, wanted.count);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin != std::string::npos && text[begin] == '<') return camerasIn(parseXml(text));
-  return camerasIn(parseYaml(text));
+  const bool is_xml = begin != std::string::npos && text[begin] == '<';
+  const Node tree = is_xml ? parseXml(text) : parseYaml(text);
+  FileCameras cameras = camerasIn(tree);
+  if (wanted.count == 2) checkPair(tree, cameras);
+  return cameras;
 }
 
 std::string sizeText(int width, int height) {

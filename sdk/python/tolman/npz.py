@@ -19,7 +19,7 @@ import sys
 import numpy as np
 
 from tolman._files import add_output_options, exit_code_of, replacing, write_output, written
-from tolman.results import Run, unit_of
+from tolman.results import Run, unit_by_scale, unit_of
 
 _TABLES = ("frame", "motion", "place", "decision", "map_update", "experience", "link", "event", "timing", "session")
 _RENAMED = {("link", "from"): "from_experience", ("link", "to"): "to_experience"}
@@ -87,7 +87,7 @@ def _arrays_of(run):
         of_truth = ("frame/", "array/", "trajectory/truth/") + (("rate_map/",) if run.frames["has_truth"].max() else ())
         for name, unit in out.units.items():
             if not name.startswith(of_truth):
-                out.units[name] = {"m": "units", "m/s": "units/s"}.get(unit, unit)
+                out.units[name] = unit_by_scale(unit, False)
     return out
 
 

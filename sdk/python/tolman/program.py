@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the program `tolman`: TOLMAN_PROGRAM, that of the build tree that this package lies in, or the one on the path."""
+import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import warnings
 
@@ -26,6 +28,17 @@ def program():
     return found
 
 
+_PLAIN = re.compile(r"-?[A-Za-z0-9_./][A-Za-z0-9_./+-]*")
+_READ_OTHERWISE = ("null", "Null", "NULL", "...")
+
+
+def _quoted(text):
+    """A text that YAML reads as this text; numbers and words stay without quotes, for keys that take them.
+    `${NAME}` is a variable of the environment also in quotes."""
+    is_plain = _PLAIN.fullmatch(text) and text not in _READ_OTHERWISE
+    return text if is_plain else json.dumps(text, ensure_ascii=False)  # its escapes are those of YAML
+
+
 def _text(value):
     """As a configuration writes it. Raises TypeError or ValueError where it cannot write such a value."""
     if hasattr(value, "tolist"):  # numbers and arrays of NumPy
@@ -35,7 +48,7 @@ def _text(value):
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, dict):
-        return "{" + ", ".join(f"{key}: {_text(item)}" for key, item in value.items()) + "}"
+        return "{" + ", ".join(f"{_quoted(str(key))}: {_text(item)}" for key, item in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_text(item) for item in value) + "]"
     if isinstance(value, float) and not math.isfinite(value):
@@ -43,7 +56,7 @@ def _text(value):
     if not isinstance(value, (str, int, float, os.PathLike)):
         raise TypeError(f"{value!r} of type {type(value).__name__} cannot be written into a configuration; give a text, a "
                         "number, a bool, None, a path, or a list or dict of them")
-    return str(value)
+    return str(value) if isinstance(value, (int, float)) else _quoted(os.fspath(value))
 
 
 def _settings(given):

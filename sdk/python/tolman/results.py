@@ -11,12 +11,11 @@ import functools
 import json
 import pathlib
 import re
-import sqlite3
 import warnings
 
 import numpy as np
 
-from tolman import cells, records, spatial
+from tolman import _record_check, cells, records, spatial
 
 _TYPES = {"INTEGER": np.int64, "REAL": np.float64}
 
@@ -24,6 +23,7 @@ _TYPES = {"INTEGER": np.int64, "REAL": np.float64}
 _UNITS = {"stamp_ns": "ns", "duration_ns": "ns", "time_ns": "ns", "dt": "s", "duration": "s", "v": "m/s",
           "omega": "rad/s", "heading": "rad", "relative_yaw": "rad", "x": "m", "y": "m", "baseline": "m",
           "width": "px", "height": "px"}  # yapf: disable
+_OF_SOURCE = ("frame", "camera")  # tables whose lengths are metres also where odometry knows no scale
 
 
 def unit_of(column):
@@ -35,7 +35,12 @@ def unit_of(column):
     return _UNITS.get(column, "")
 
 
-def _table(names, types, rows):
+def unit_by_scale(unit, scale_known):
+    """The unit of lengths of odometry and map: "units" for metres where the scale is unknown."""
+    return unit if scale_known else {"m": "units", "m/s": "units/s"}.get(unit, unit)
+
+
+def _table(names, types, rows, scale_known=True):
     """A pandas table with its units in `attrs`, or a structured array."""
     kinds = [_TYPES.get(kind, object) for kind in types]
     array = np.array([tuple(row) for row in rows], dtype=list(zip(names, kinds)))
@@ -44,7 +49,7 @@ def _table(names, types, rows):
     except ImportError:
         return array
     table = pandas.DataFrame({name: array[name] for name in names})
-    table.attrs["units"] = {name: unit_of(name) for name in names}
+    table.attrs["units"] = {name: unit_by_scale(unit_of(name), scale_known) for name in names}
     return table
 
 
@@ -62,11 +67,10 @@ class Run:
         file = self.path / "run.sqlite"
         if not file.is_file():
             raise FileNotFoundError(f"{self.path}: is no run directory, for it has no run.sqlite")
-        self._database = sqlite3.connect(file.as_uri() + "?mode=ro", uri=True)
-        run = self.info.get("id")
-        recorded = self._database.execute("SELECT value FROM run WHERE key = 'id'").fetchone()
-        if run is not None and (run,) != recorded:
-            raise ValueError(f"{file}: is of another run than the run.json of this run directory; put back the files of one run")
+        info = self.info  # before the database: a run that ends in between has written its last rows
+        self._database = _record_check.connect(file)
+        with self.one_state():
+            _record_check.require_whole(self._database, file, info)
 
     def __repr__(self):
         return f"tolman.Run({str(self.path)!r})"
@@ -109,7 +113,7 @@ class Run:
             raise KeyError(f"{self.path}: run.sqlite has no table '{name}'")
         listed = ", ".join(f'"{column}"' for column, _ in columns)
         rows = self._database.execute(f'SELECT {listed} FROM "{name}" ORDER BY rowid')
-        return _table(*zip(*columns), rows)
+        return _table(*zip(*columns), rows, name in _OF_SOURCE or self.scale_known)
 
     frames = property(lambda self: self.table("frame"), doc="What the source gave.")
     motion = property(lambda self: self.table("motion"), doc="Answers of odometry.")
@@ -142,11 +146,9 @@ class Run:
         heading = np.arctan2(-axis_x, axis_z)
         first = [row[0] for row in self._database.execute("SELECT first_frame FROM session ORDER BY id")] or [0]
         session = np.maximum(np.searchsorted(first, frame, "right") - 1, 0)
-        table = _table(("frame", "stamp_ns", "x", "y", "heading", "session"),
-                      ("INTEGER", "INTEGER", "REAL", "REAL", "REAL", "INTEGER"), zip(frame, stamp, z, -x, heading, session))
-        if of == "map" and not self.scale_known and hasattr(table, "attrs"):
-            table.attrs["units"].update(x="units", y="units")
-        return table
+        return _table(("frame", "stamp_ns", "x", "y", "heading", "session"),
+                      ("INTEGER", "INTEGER", "REAL", "REAL", "REAL", "INTEGER"), zip(frame, stamp, z, -x, heading, session),
+                      of == "truth" or self.scale_known)
 
     @property
     def scale_known(self):
