@@ -49,6 +49,10 @@ Result<RunRow> readRun(const fs::path& directory) {
   std::ifstream stream = record::openRegular(directory / "metrics.json");
   const Json metrics = Json::parse(stream, nullptr, false);
   std::error_code ignored;
+  if (!metrics.is_object() && !fs::exists(directory, ignored)) {
+    return Status::invalidInput(directory.string() + ": " +
+                                config::absence(directory, "does not exist; check the path"));
+  }
   if (!metrics.is_object() && fs::exists(directory / "points.txt", ignored)) {
     return Status::invalidInput(directory.string() +
                                 ": is a sweep of which no run has ended, so there is nothing to "
