@@ -16,7 +16,6 @@
 #include "app/summary.hpp"
 #include "app/terminal_output.hpp"
 #include "record/digest.hpp"
-#include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "run/run.hpp"
 #include "run/terminal.hpp"
@@ -34,39 +33,18 @@ struct RerunCommand {
   bool replace = false;
 };
 
-/// Digests by file, as in results.sha256.
-std::map<std::string, std::string> digestsOf(const fs::path& run) {
-  std::map<std::string, std::string> digests;
-  std::ifstream stream = record::openRegular(run / "results.sha256");
-  for (std::string digest, file; stream >> digest >> file;) digests[file] = digest;
-  return digests;
-}
-
-/// As digestsOf(), but there must be some.
+/// The digests of results.sha256; there must be some.
 std::map<std::string, std::string> expectedDigests(const fs::path& run) {
-  auto digests = digestsOf(run);
+  auto digests = record::resultsDigests(run);
   if (!digests.empty()) return digests;
   throw Ended{ExitCode::Dataset, (run / "results.sha256").string() + ": has no digests"};
 }
 
-/// The result files that are not as results.sha256 of their run says.
-std::set<std::string> changedFiles(const fs::path& run,
-                                   const std::map<std::string, std::string>& digests) {
-  std::set<std::string> changed;
-  for (const auto& [file, digest] : digests) {
-    std::error_code ignored;  // an archive has the digests without the files
-    if (!fs::exists(run / file, ignored)) continue;
-    const auto found = record::fileDigest(run / file);
-    if (!found.isOk() || found.value() != digest) changed.insert(file);
-  }
-  return changed;
-}
-
 ExitCode compare(const fs::path& before, const fs::path& after, const Invocation& invocation) {
   const auto expected = expectedDigests(before);
-  const auto found = digestsOf(after);
+  const auto found = record::resultsDigests(after);
   Json files = Json::object();
-  const std::set<std::string> changed = changedFiles(before, expected);
+  const std::set<std::string> changed = record::changedResults(before);
   bool same = expected.size() == found.size() && changed.empty();
   for (const auto& [file, digest] : expected) {
     const auto other = found.find(file);

@@ -18,6 +18,7 @@
 #include "app/terminal_output.hpp"
 #include "isolation/plugin_process.hpp"
 #include "isolation/process_mark.hpp"
+#include "run/services.hpp"
 
 namespace {
 
@@ -88,10 +89,10 @@ bool hasThreads(bool quiet) {
   return false;
 }
 
-/// SIGINT, SIGTERM and SIGHUP end a command with the documented exit code; commands that conclude
+/// run::kEndSignals end a command with the documented exit code; commands that conclude
 /// their work first take the signals over (run::Interrupts). Ignored signals stay ignored (nohup).
 void endOnSignals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : tolman::run::kEndSignals) {
     const auto end = [](int) { ::_exit(static_cast<int>(tolman::app::ExitCode::Interrupted)); };
     if (std::signal(signal, end) == SIG_IGN) std::signal(signal, SIG_IGN);
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Detects poses in another convention than the expected one: truth in other axes than those of the
 // estimate (poses of the vehicle's body instead of the camera, world-to-camera poses), quaternions
-// in another order, positions in another unit than metres. An alignment transforms the world of the
-// estimate, not its camera axes, so position errors alone do not show wrong rotations.
+// in another order, mirrored paths, positions in another unit than metres. An alignment transforms
+// the world of the estimate, not its camera axes, so position errors alone do not show wrong
+// rotations.
 #pragma once
 
 #include <string>
@@ -15,6 +16,11 @@ namespace tolman::evaluation {
 /// degrees in the mean and one rotation, or inverting the true poses, brings them within 15
 /// degrees; else empty.
 std::string axesHint(const Matches& matches);
+
+/// A warning if the turns of the truth are opposite to those of the estimate, as with an axis or
+/// angles of the wrong sign: their correlation, over ten turns or more of 5 degrees and more, is
+/// below -0.8; else empty.
+std::string turnHint(const Matches& matches);
 
 /// A warning if the aligned positions agree within a twentieth of the true path, but the directions
 /// of motion, each in its camera's own axes, differ by more than 45 degrees in the mean, or the

@@ -181,6 +181,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   if (metrics.warning.empty()) {
     metrics.warning = axesHint(matches.value());  // before the world of inverted poses is moved
   }
+  if (metrics.warning.empty()) metrics.warning = turnHint(matches.value());
   if (metrics.warning.empty() && alignment == Alignment::Se2) {
     metrics.warning = upHint(matches.value().truth);
     if (!metrics.warning.empty()) metrics.warning += ", or use se3; se2 leaves y out";

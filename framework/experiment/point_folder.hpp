@@ -54,8 +54,8 @@ Status writePlanOrder(const std::filesystem::path& sweep, const std::vector<Plan
 /// Folders of the last plan; empty where there is no points.txt.
 std::vector<std::string> planOrder(const std::filesystem::path& sweep);
 
-/// A run that was done and whose metrics.json or results.sha256 is not the one that it wrote has
-/// failed: its files were changed, or belong to another run.
+/// A run that was done and whose metrics.json, results.sha256 or files that this lists are not
+/// those that it wrote has failed: its files were changed, or belong to another run.
 PointOutcome outcomeOf(const std::filesystem::path& folder);
 Status writeOutcome(const std::filesystem::path& folder, const PointOutcome& outcome);
 

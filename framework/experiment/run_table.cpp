@@ -49,6 +49,10 @@ Result<RunRow> readRun(const fs::path& directory) {
   std::ifstream stream = record::openRegular(directory / "metrics.json");
   const Json metrics = Json::parse(stream, nullptr, false);
   std::error_code ignored;
+  if (!metrics.is_object() && !fs::exists(directory, ignored)) {
+    return Status::invalidInput(directory.string() + ": " +
+                                config::absence(directory, "does not exist; check the path"));
+  }
   if (!metrics.is_object() && fs::exists(directory / "points.txt", ignored)) {
     return Status::invalidInput(directory.string() +
                                 ": is a sweep of which no run has ended, so there is nothing to "
@@ -113,6 +117,11 @@ std::string headerFault(const CsvLine& names, std::size_t factors) {
   return "";
 }
 
+/// Whether a metric is the size of an error, which is never below 0.
+bool isErrorSize(const std::string& metric) {
+  return metric.find(".ate") != std::string::npos || metric.find(".rpe.") != std::string::npos;
+}
+
 /// Fills `row` from line number `line`. Returns what is wrong with it; empty if nothing is.
 std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t factors,
                         std::size_t line, RunRow& row) {
@@ -129,6 +138,9 @@ std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t
     const auto number = config::readReal(fields[k]);
     if (!number.isOk()) {
       return fmt::format("line {}, {}: '{}' is no number", line, names[k], fields[k]);
+    }
+    if (number.value() < 0 && isErrorSize(names[k])) {
+      return fmt::format("line {}, {}: an error of {} is below 0", line, names[k], fields[k]);
     }
     row.metrics[names[k]] = number.value();
   }

@@ -46,4 +46,15 @@ std::map<std::string, std::string> resultsDigests(const std::filesystem::path& r
   return digests;
 }
 
+std::set<std::string> changedResults(const std::filesystem::path& run_directory) {
+  std::set<std::string> changed;
+  for (const auto& [file, digest] : resultsDigests(run_directory)) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(run_directory / file, ignored)) continue;
+    const Result<std::string> found = fileDigest(run_directory / file);
+    if (!found.isOk() || found.value() != digest) changed.insert(file);
+  }
+  return changed;
+}
+
 }  // namespace tolman::record

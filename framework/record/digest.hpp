@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -21,5 +22,9 @@ Status writeResultsDigest(const std::filesystem::path& run_directory);
 
 /// Digests that results.sha256 lists, by file; empty where there is none.
 std::map<std::string, std::string> resultsDigests(const std::filesystem::path& run_directory);
+
+/// The files that results.sha256 lists and that are not as it says. Files that were removed are
+/// none of them: an archive has the digests without the files.
+std::set<std::string> changedResults(const std::filesystem::path& run_directory);
 
 }  // namespace tolman::record

@@ -22,14 +22,16 @@ spdlog::level::level_enum levelOf(LogLevel level) {
   return kLevels.at(static_cast<std::size_t>(level));
 }
 
+bool endsAtSecond(int signal) { return signal == SIGINT || signal == SIGTERM; }
+
 sigset_t interruptSignals() {
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  struct sigaction hangup {};
-  ::sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) sigaddset(&signals, SIGHUP);
+  for (const int signal : kEndSignals) {
+    struct sigaction now {};
+    ::sigaction(signal, nullptr, &now);
+    if (endsAtSecond(signal) || now.sa_handler != SIG_IGN) sigaddset(&signals, signal);
+  }
   return signals;
 }
 
@@ -150,7 +152,7 @@ void Interrupts::listen(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const int signal = sigtimedwait(&signals, nullptr, &timeout);
     if (signal < 0) continue;
-    if (!requested_.exchange(true) || signal == SIGHUP) continue;
+    if (!requested_.exchange(true) || !endsAtSecond(signal)) continue;
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // the second signal ends the process
     ::raise(signal);
   }

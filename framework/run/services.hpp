@@ -2,7 +2,9 @@
 // The services of a run: its log, a steady clock, cancellation by signals, artefacts of plugins.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -56,9 +58,15 @@ class SteadyClock : public Clock {
   std::int64_t steadyNs() const override;
 };
 
-/// Cancellation by SIGINT, SIGTERM and SIGHUP (unless ignored, as by nohup). The first signal
-/// requests cancellation, the second ends the process. SIGHUP never ends it, because a closed
-/// terminal may send it several times. A separate thread waits for the signals. Create this object
+/// Signals that ask a process to end, and do so at once where it does nothing about them. Batch
+/// systems send SIGUSR1, SIGUSR2 or SIGXCPU before they kill a job at its limit of time.
+inline constexpr std::array kEndSignals = {SIGINT,  SIGTERM, SIGHUP,    SIGUSR1,
+                                           SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU};
+
+/// Cancellation by SIGINT and SIGTERM, and by the others of kEndSignals unless they are ignored, as
+/// SIGHUP by nohup. The first signal requests cancellation, a second SIGINT or SIGTERM ends the
+/// process. The others never end it: a closed terminal may send SIGHUP several times, and the
+/// kernel sends SIGXCPU every second. A separate thread waits for the signals. Create this object
 /// before any other thread, so that all threads inherit the signal mask.
 class Interrupts : public Cancellation {
  public:

@@ -52,10 +52,12 @@ int lines(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("SIGINT finishes the files and exits with 130") {
+TEST_CASE("a signal that asks for an end finishes the files and exits with 130") {
+  const int signal = GENERATE(SIGINT, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU);
   const LongRun run;
   run.waitInside(std::chrono::milliseconds(1000));
-  run.process->signal(SIGINT);
+  run.process->signal(signal);
+  if (signal != SIGINT) run.process->signal(signal);  // the second one has no effect
   const Finished finished = run.process->wait();
   INFO(finished.err);
   CHECK(finished.exit_code == 130);
@@ -68,8 +70,9 @@ TEST_CASE("SIGINT finishes the files and exits with 130") {
   CHECK(readJson(run.out / "metrics.json")["odometry"]["poses"] == frames);
 }
 
-TEST_CASE("commands that only read end with 130 on the three signals") {
-  const int signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
+TEST_CASE("commands that only read end with 130 on signals that ask for an end") {
+  const int signal =
+      GENERATE(SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU);
   const TemporaryFolder folder;
   const fs::path fifo = folder.path() / "never";
   REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);

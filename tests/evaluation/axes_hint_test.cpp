@@ -99,6 +99,34 @@ TEST_CASE("mirrored positions, which an alignment turns upside down, are detecte
   CHECK(rotationHint(test::paired(truth, truth)).empty());
 }
 
+TEST_CASE("turns of the opposite sign are detected with every alignment") {
+  const auto angle = [](int i) { return std::sin(0.1 * i); };
+  const auto path = [&](double side, double turn) {  // signs of the positions and of the angles
+    Trajectory poses;
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    for (int i = 0; i < 200; ++i) {
+      T.linear() = Eigen::AngleAxisd(turn * angle(i), Eigen::Vector3d::UnitY()).toRotationMatrix();
+      T.translation() += Eigen::Vector3d(side * std::sin(angle(i)), 0, std::cos(angle(i)));
+      poses.push_back({i, i, T, true});
+    }
+    return poses;
+  };
+  const Trajectory estimate = path(1, 1);
+  for (const Alignment alignment : {Alignment::None, Alignment::Se2, Alignment::Se3}) {
+    for (const Trajectory& truth : {path(-1, -1), path(1, -1)}) {
+      CHECK_THAT(scoreTrajectory(truth, estimate, alignment).warning,
+                 Catch::StartsWith("the truth turns the other way than the estimate"));
+    }
+    CHECK(scoreTrajectory(estimate, estimate, alignment).warning.empty());
+  }
+  RandomStream random(6);
+  CHECK(turnHint(test::paired(estimate, test::wanderingPath(200, random))).empty());
+  CHECK(turnHint(test::paired(test::straightPath(200), estimate)).empty());
+  Trajectory lost = path(-1, -1);
+  for (TrajectoryPose& pose : lost) pose.tracked = false;
+  CHECK(turnHint(test::paired(estimate, lost)).empty());
+}
+
 TEST_CASE("a rotation about a nearly straight path gives no hint of wrong axes") {
   Trajectory truth = test::straightPath(12);
   Trajectory estimate = truth;

@@ -147,6 +147,13 @@ TEST_CASE("figures that a run did not write itself are not taken for its own") {
     CHECK(study.sweep({"--retry"}).exit_code == 0);
     CHECK_FALSE(contains(collected().err, "failed"));
   }
+  SECTION("edited results") {
+    std::ofstream(one / "trajectory.tum", std::ios::app) << "1 2 3 4 0 0 0 1\n";
+    CHECK(contains(collected().err, "1 failed"));
+    CHECK(contains(study.status(), "trajectory.tum: is not the file that this run wrote"));
+    fs::remove(one / "trajectory.tum");  // its figures are still its own
+    CHECK_FALSE(contains(collected().err, "failed"));
+  }
 }
 
 TEST_CASE("tables and figures are not written over what they are made of") {

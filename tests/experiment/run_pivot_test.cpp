@@ -130,6 +130,27 @@ TEST_CASE("a table that was cut after its first line is told as that") {
         file.string() + ": is no table of `tolman sweep collect`: it has no line after the first");
 }
 
+TEST_CASE("an error below zero in a table is told with its line") {
+  const test::TemporaryFolder folder;
+  std::vector<RunRow> rows = modelRows();
+  rows[1].metrics["map.ate.rmse_m"] = -1.5;
+  const auto file = folder.path() / "runs.csv";
+  std::ofstream(file) << csvOf(rows);
+  CHECK(readRunRows({file}).status().message() ==
+        file.string() +
+            ": is no table of `tolman sweep collect`: line 3, map.ate.rmse_m: an error of -1.5 is "
+            "below 0");
+}
+
+TEST_CASE("a folder to compare that does not exist is told as that") {
+  const test::TemporaryFolder folder;
+  const auto nowhere = folder.path() / "nowhere";
+  CHECK(readRunRows({nowhere}).status().message() ==
+        nowhere.string() + ": does not exist; check the path");
+  CHECK(readRunRows({folder.path()}).status().message().find("metrics.json: is missing") !=
+        std::string::npos);
+}
+
 TEST_CASE("a table of runs is read as it was written") {
   const test::TemporaryFolder folder;
   std::vector<RunRow> written = modelRows();

@@ -7,7 +7,9 @@ Status RecordSource::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return ready_ = bound.status();
   path_ = bound.value().path;
-  return ready_ = reader_.open(path_);
+  ready_ = reader_.open(path_);
+  if (!reader_.part().empty()) context.log.warning(path_ + ": " + reader_.part());
+  return ready_;
 }
 
 Status RecordSource::reset() {
@@ -37,6 +39,9 @@ Status RecordSource::inspect(std::vector<Finding>& findings) {
     findings.push_back({Finding::Severity::Note, path_,
                         reader_.source().description + ", " + std::to_string(reader_.frames()) +
                             " frames recorded"});
+    if (!reader_.part().empty()) {
+      findings.push_back({Finding::Severity::Warning, path_, reader_.part()});
+    }
   } else {
     findings.push_back({Finding::Severity::Error, path_, ready_.message()});
   }

@@ -27,6 +27,23 @@ std::string expectedNames() {
          fieldNames<Motion>() + fieldNames<PlaceObservation>();
 }
 
+/// The run.json beside answers.bin; no object where it is missing or damaged.
+nlohmann::json runFile(const std::string& answers) {
+  std::ifstream stream(std::filesystem::path(answers).replace_filename("run.json"));
+  return nlohmann::json::parse(stream, nullptr, false);
+}
+
+std::string partOf(const nlohmann::json& run, std::int64_t promised, std::int64_t recorded) {
+  const auto status = run.is_object() ? run.find("status") : run.end();
+  if (recorded >= promised || status == run.end()) return "";
+  const bool interrupted = *status == "interrupted";
+  if (!interrupted && *status != "failed") return "";
+  return "has " + std::to_string(recorded) + " of the " + std::to_string(promised) +
+         " frames of its source, because its run " +
+         (interrupted ? "was interrupted; `tolman run --resume` goes on with it"
+                      : "failed; run it again for all of them");
+}
+
 }  // namespace
 
 Status AnswersReader::damaged(const std::string& what) const {
@@ -78,20 +95,20 @@ Status AnswersReader::readStart(const Block& block) {
   if (texts.text() != expectedNames()) {
     return damaged("was written by a version with other records; record the run again");
   }
-  status = checkRun(texts.text());
+  const nlohmann::json run = runFile(file_);
+  status = checkRun(run, texts.text());
   if (!status.isOk()) return status;
   AnswersDecoder source(texts.text());
   AnswersDecoder sensors(texts.text());
   source.get(source_);
   sensors.get(sensors_);
+  part_ = partOf(run, source_.frames, frames());
   source_.frames = frames();
   return source.complete() && sensors.complete() ? Status::ok() : damaged("is damaged");
 }
 
 /// The answers must be of the run whose run.json lies beside them, if it has an id.
-Status AnswersReader::checkRun(std::string_view id) const {
-  std::ifstream stream(std::filesystem::path(file_).replace_filename("run.json"));
-  const auto run = nlohmann::json::parse(stream, nullptr, false);
+Status AnswersReader::checkRun(const nlohmann::json& run, std::string_view id) const {
   if (!run.is_object() || !run.contains("id") || run["id"] == id) return Status::ok();
   return damaged("is of another run than the run.json beside it; put back the file of that run");
 }
@@ -111,6 +128,7 @@ Status AnswersReader::readPayload(const Block& block) {
 }
 
 Status AnswersReader::readFrame(std::int64_t frame) {
+  if (frame == frames() && !part_.empty()) return damaged(part_);
   if (frame < 0 || frame >= frames()) {
     return damaged("has no frame " + std::to_string(frame) + "; take source, odometry and place " +
                    "of one record, in a run that continues no map");

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,9 @@ class AnswersReader {
   const SourceInfo& source() const { return source_; }
   const std::vector<ArrayInfo>& sensors() const { return sensors_; }
   std::int64_t frames() const { return static_cast<std::int64_t>(blocks_.size()); }
+  /// "has 20 of the 51 frames of its source, because its run was interrupted; ..."; empty if the
+  /// run finished, or if its source did not tell how many would come, as live ones.
+  const std::string& part() const { return part_; }
 
   // Frames must be read in ascending order; some may be left out. Motion and place are read only if
   // the given frame is the one of the recorded run, otherwise they fail.
@@ -40,7 +44,7 @@ class AnswersReader {
     std::streamoff start = 0;  ///< of the payload in the file
   };
   Status readStart(const Block& block);
-  Status checkRun(std::string_view id) const;
+  Status checkRun(const nlohmann::json& run, std::string_view id) const;
   Status readFrame(std::int64_t frame);
   Status readPayload(const Block& block);
   Status compare(std::string_view recorded, const Frame& frame) const;
@@ -49,6 +53,7 @@ class AnswersReader {
   std::string file_;
   std::ifstream stream_;
   SourceInfo source_;
+  std::string part_;
   std::vector<ArrayInfo> sensors_;
   std::vector<Block> blocks_;  ///< of the frames
   Block end_;

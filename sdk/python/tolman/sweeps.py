@@ -72,10 +72,21 @@ def _object(file):
 
 
 def _is_done(outcome, run):
-    """Whether the run ended well and its figures are those that it wrote; sweeps of earlier versions have no digests."""
+    """Whether the run ended well and its files are those that it wrote; sweeps of earlier versions have no digests."""
     files = outcome.get("digests", {})
-    return outcome.get("state") == "done" and all(
-        (run / name).is_file() and hashlib.sha256((run / name).read_bytes()).hexdigest() == digest for name, digest in files.items())
+    return outcome.get("state") == "done" and all((run / name).is_file() and _digest(run / name) == digest for name, digest in files.items()) \
+        and ("results.sha256" not in files or _has_own_results(run))
+
+
+def _has_own_results(run):
+    """Whether the files that results.sha256 lists are as it says; they may be removed, but not changed."""
+    lines = (run / "results.sha256").read_text(encoding="utf-8").splitlines()
+    listed = [line.split(maxsplit=1) for line in lines]
+    return all(not (run / name).is_file() or _digest(run / name) == digest for digest, name in listed)
+
+
+def _digest(file):
+    return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
 def sweep(config, out=None, jobs=None):

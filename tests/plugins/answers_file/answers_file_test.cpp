@@ -111,6 +111,26 @@ TEST_CASE("all answers come back bit for bit, in order or with gaps") {
   CHECK(reader.read(after, beyond).code() == StatusCode::InvalidInput);
 }
 
+TEST_CASE("answers of a run that was interrupted or failed tell that they are a part") {
+  const TemporaryFolder folder;
+  write(folder.path(), randomAnswers(7), true);
+  const auto opened = [&](const std::string& status) {
+    std::ofstream(folder.path() / "run.json") << "{\"status\": \"" + status + "\"}";
+    AnswersReader reader;
+    REQUIRE(reader.open(folder.path().string()).isOk());
+    Frame beyond;
+    CHECK(reader.read(7, beyond).message().ends_with(
+        reader.part().empty() ? "in a run that continues no map" : reader.part()));
+    return reader.part();
+  };
+  CHECK_THAT(
+      opened("interrupted"),
+      Catch::StartsWith("has 7 of the 99 frames of its source, because its run was interrupted; "));
+  CHECK_THAT(opened("failed"), Catch::Contains("because its run failed; "));
+  CHECK(opened("finished").empty());
+  CHECK(opened("running").empty());
+}
+
 TEST_CASE("answers to other frames are refused, even where numbers and times are equal") {
   const TemporaryFolder folder;
   std::vector<Answers> all = randomAnswers(2);
