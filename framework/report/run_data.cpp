@@ -224,11 +224,13 @@ ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Traj
   return series;
 }
 
-evaluation::CellHistory cellsOf(const record::RunReader& reader) {
+/// Also sets why the cells cannot be scored.
+evaluation::CellHistory cellsOf(const record::RunReader& reader, std::string& why_unscored) {
   evaluation::CellHistory cells(must(reader.arrayInfos()));
   const Status status = reader.visitCellArrays(
       [&](std::int64_t frame, NamedArray array) { cells.add(frame, std::move(array)); });
   if (!status.isOk()) throw std::runtime_error(status.message());
+  why_unscored = cells.whyUnscored();
   cells.dropEmpty();
   return cells;
 }
@@ -262,7 +264,7 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
       const bool scaled = scored->scores && data.metrics.alignment == Alignment::Sim3;
       scored->in_metres = scaled || must(reader.scaleKnown());
     }
-    data.cells = cellsOf(reader);
+    data.cells = cellsOf(reader, data.metrics.no_cells);
     data.metrics.cells = evaluation::scoreCells(data.cells, data.map, must(reader.map()),
                                                 data.truth, data.metrics.map, seed);
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
