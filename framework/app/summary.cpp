@@ -113,6 +113,9 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   }
   text += fmt::format("{:<10}{}\n", "alignment", enumName(metrics.alignment));
   text += trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
+  if (!metrics.no_cells.empty()) {
+    text += fmt::format("{:<10}WARNING no figures: {}\n", "cells", metrics.no_cells);
+  }
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
 }
 

@@ -284,24 +284,26 @@ Json toJson(const Metrics& metrics) {
   const bool known = metrics.odometry.scores && metrics.map.scores;
   Json coverage;
   if (known) coverage = std::min(metrics.odometry.scores->coverage, metrics.map.scores->coverage);
-  return {{"alignment", enumName(metrics.alignment)},
-          {"odometry", toJson(metrics.odometry)},
-          {"map", toJson(metrics.map)},
-          {"nees", toJson(metrics.motions)},
-          {"coverage", coverage},
-          {"frames", metrics.frames},
-          {"templates", metrics.templates},
-          {"experiences", metrics.counts.experiences},
-          {"links", metrics.counts.links},
-          {"loop_links", metrics.counts.loop_links},
-          {"rejected_loop_links", metrics.counts.rejected_loop_links},
-          {"loop_decisions", metrics.counts.loop_decisions},
-          {"loops", metrics.loops ? toJson(*metrics.loops) : Json()},
-          {"truth_sha256", metrics.truth_sha256.empty() ? Json() : Json(metrics.truth_sha256)},
-          {"parts", metrics.parts},
-          {"sessions", sessionsJson(metrics)},
-          {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},
-          {"timing", timingJson(metrics.timing)}};
+  Json json = {{"alignment", enumName(metrics.alignment)},
+               {"odometry", toJson(metrics.odometry)},
+               {"map", toJson(metrics.map)},
+               {"nees", toJson(metrics.motions)},
+               {"coverage", coverage},
+               {"frames", metrics.frames},
+               {"templates", metrics.templates},
+               {"experiences", metrics.counts.experiences},
+               {"links", metrics.counts.links},
+               {"loop_links", metrics.counts.loop_links},
+               {"rejected_loop_links", metrics.counts.rejected_loop_links},
+               {"loop_decisions", metrics.counts.loop_decisions},
+               {"loops", metrics.loops ? toJson(*metrics.loops) : Json()},
+               {"truth_sha256", metrics.truth_sha256.empty() ? Json() : Json(metrics.truth_sha256)},
+               {"parts", metrics.parts},
+               {"sessions", sessionsJson(metrics)},
+               {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},
+               {"timing", timingJson(metrics.timing)}};
+  if (!metrics.no_cells.empty()) json["cells_reason"] = metrics.no_cells;
+  return json;
 }
 
 }  // namespace tolman::evaluation

@@ -86,6 +86,7 @@ struct Metrics {
   std::int64_t parts = 0;  ///< connected parts of the map
   std::vector<SessionFigures> sessions;
   std::optional<CellFigures> cells;  ///< none where no activity was recorded
+  std::string no_cells;  ///< why there are none although arrays were recorded; mostly empty
 };
 
 /// A sentence about the connected parts of the map; empty where there is only one.

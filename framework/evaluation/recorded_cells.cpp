@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "evaluation/cell_descriptions.hpp"
 #include "evaluation/population_code.hpp"
 
 namespace tolman::evaluation {
@@ -55,6 +56,7 @@ StampedPoses stampedPosesOf(const Trajectory& trajectory) {
 }
 
 void PopulationHistory::add(std::int64_t frame, NamedArray&& array, std::size_t most) {
+  if (!given) given = array.shape;
   if (array.values.empty()) return;
   if (shape.empty()) shape = array.shape;
   if (array.shape != shape || seen++ % stride != 0) return;
@@ -97,6 +99,19 @@ void CellHistory::dropEmpty() {
   for (auto* list : {&rings, &sheets, &others}) {
     std::erase_if(*list, [](const PopulationHistory& history) { return history.frames.empty(); });
   }
+}
+
+std::string CellHistory::whyUnscored() const {
+  std::string first;
+  bool any_given = false;
+  for (const auto* list : {&rings, &sheets, &others}) {
+    for (const PopulationHistory& history : *list) {
+      if (list != &others && !history.frames.empty()) return "";
+      any_given = any_given || history.given;
+      if (first.empty()) first = contradictionOf(history);
+    }
+  }
+  return any_given ? first : "";
 }
 
 std::vector<std::size_t> measuredUnits(const PopulationHistory& population) {

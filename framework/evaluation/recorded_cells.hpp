@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -33,6 +35,7 @@ struct PopulationHistory {
   std::vector<std::vector<float>> activity;  ///< one row per frame, as large as the shape
   std::size_t stride = 1;                    ///< every stride-th array was kept
   std::size_t seen = 0;
+  std::optional<std::vector<int>> given{};  ///< shape of the first array, whatever is described
 
   /// Keeps at most `most` arrays, and none of another shape.
   void add(std::int64_t frame, NamedArray&& array, std::size_t most);
@@ -49,6 +52,10 @@ struct CellHistory {
   void add(std::int64_t frame, NamedArray&& array);
   /// Removes arrays that were described but not recorded.
   void dropEmpty();
+  /// Why there is neither a ring nor a sheet: the first description that its array contradicts
+  /// (cell_descriptions.hpp). Empty where there is one of them, nothing is contradicted, or no
+  /// array was recorded. After the last add(), before dropEmpty().
+  std::string whyUnscored() const;
 };
 
 inline constexpr int kMaxUnitsAlongAxis = 32;

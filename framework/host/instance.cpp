@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "host/rig_check.hpp"
 #include "host/values.hpp"
 
 namespace tolman::host {
@@ -83,7 +84,9 @@ Status Instance::rawRig(RawRig& rig) {
   if (object_.raw_rig == nullptr) return Status::ok();
   return guarded({name_, manifest_.id, "rawRig", -1}, [&] {
     const Status status = object_.raw_rig->rawRig(rig);
-    return status.isOk() ? checkValues(rig) : status;
+    if (!status.isOk()) return status;
+    const Status values = checkValues(rig);
+    return values.isOk() && rig.has_rectified ? checkRig(rig.rectified) : values;
   });
 }
 

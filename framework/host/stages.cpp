@@ -6,6 +6,7 @@
 #include "host/answers.hpp"
 #include "host/arrays.hpp"
 #include "host/frame_images.hpp"
+#include "host/rig_check.hpp"
 #include "host/values.hpp"
 #include "tolman/geometry.hpp"
 
@@ -53,7 +54,9 @@ Status SourceStage::info(SourceInfo& info) {
       return Status::failed(
           fmt::format("gave {} frames; use -1 for an unknown number", info.frames));
     }
-    return answered.isOk() ? checkValues(info.rig) : answered;
+    if (!answered.isOk()) return answered;
+    const Status values = checkValues(info.rig);
+    return values.isOk() ? checkRig(info.rig) : values;
   });
   if (status.isOk()) info_ = info;
   return status;

@@ -47,6 +47,7 @@ class Stage {
 class SourceStage : public Stage<Source> {
  public:
   using Stage::Stage;
+  /// Checks the number of frames and the cameras (rig_check.hpp).
   Status info(SourceInfo& info);
   /// Checks that frames are 0, 1, 2, ..., stamps increase, true poses were announced by info(),
   /// images fit the rig (frame_images.hpp), and arrays keep their shapes.

@@ -108,7 +108,26 @@ bool Chain::acceptMotion(FrameRecords& records) {
   if (const std::string& which = records.impossible.revision; !which.empty()) {
     reportImpossible(records.frame.frame, "the revision " + which + "; it is left out");
   }
+  if (!acceptScale(records.motion)) return false;
   last_motion_ = records.motion;
+  return true;
+}
+
+/// Lengths of another kind than those of the earlier session end the run, whatever the policy of
+/// odometry: its map would have two units. Within a run they are told.
+bool Chain::acceptScale(const Motion& motion) {
+  const auto change = scale_check_.check(motion);
+  if (!change) return true;
+  if (change->ends_run) {
+    listener_.onEvent({motion.frame, LogLevel::Error, "odometry", change->text});
+    const std::lock_guard lock(failure_mutex_);
+    if (!failure_) failure_ = {Role::Odometry, Status::failed(change->text), true};
+    return false;
+  }
+  const FailureTally::Report report = failures_.count("changes of the scale");
+  if (report == FailureTally::Report::No) return true;
+  const char* last = report == FailureTally::Report::Last ? "; further ones are not reported" : "";
+  listener_.onEvent({motion.frame, LogLevel::Warning, "odometry", change->text + last});
   return true;
 }
 
@@ -240,6 +259,7 @@ void Chain::resume(const ResumePoint& point) {
   last_motion_ = point.motion;
   last_decision_ = point.decision;
   last_map_ = point.map;
+  if (point.scale) scale_check_.startFrom(*point.scale);
 }
 
 void Chain::count(const FrameRecords& records) {

@@ -14,6 +14,7 @@
 #include "pipeline/listener.hpp"
 #include "pipeline/rectified_source.hpp"
 #include "pipeline/run_counters.hpp"
+#include "pipeline/scale_check.hpp"
 #include "pipeline/stage_activity.hpp"
 
 namespace tolman::pipeline {
@@ -37,6 +38,7 @@ struct Stages {
 struct StageFailure {
   Role role = Role::Source;  ///< Observer: the listener, i.e. recorder or observers
   Status status;
+  bool other_scale = false;  ///< the map of the earlier session has lengths of another kind
 };
 
 /// Calls the stages for each frame and counts their answers. odometry() and place() may run at the
@@ -70,6 +72,8 @@ class Chain {
   /// Continues after a checkpoint; call it before the first frame is admitted. The stages must have
   /// the state of the checkpoint.
   void resume(const ResumePoint& point);
+  /// The map of an earlier session is continued; call it before the first frame is admitted.
+  void continueMap(MapScale scale) { scale_check_.startFrom(std::move(scale)); }
 
   /// Whether a stage or the listener failed; no later frame is answered.
   bool failed() const;
@@ -98,6 +102,7 @@ class Chain {
   bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
                    Role role);
   bool acceptMotion(FrameRecords& records);
+  bool acceptScale(const Motion& motion);
   void reportImpossible(std::int64_t frame, const std::string& text);
   bool acceptObservation(FrameRecords& records);
   bool runCells(FrameRecords& records);
@@ -143,6 +148,7 @@ class Chain {
   std::optional<StageFailure> failure_;
   std::optional<Status> input_failure_;
   FailureTally failures_;  // by role
+  ScaleCheck scale_check_;
   std::int64_t last_skipped_frame_ = -1;
   mutable std::mutex failure_mutex_;
   Motion last_motion_;

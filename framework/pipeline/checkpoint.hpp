@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "pipeline/run_counters.hpp"
+#include "pipeline/scale_check.hpp"
 #include "tolman/records.hpp"
 #include "tolman/roles.hpp"
 
@@ -26,6 +28,7 @@ struct ResumePoint {
   Motion motion;
   Decision decision;
   MapUpdate map;
+  std::optional<MapScale> scale{};  ///< none: no motion was tracked so far
 };
 
 }  // namespace tolman::pipeline

@@ -192,6 +192,27 @@ Result<bool> RunReader::scaleKnown() const {
   });
 }
 
+Result<std::optional<TrackedScale>> RunReader::lastScale(std::int64_t end) const {
+  return answered(name_, [&]() -> std::optional<TrackedScale> {
+    Statement last(database_,
+                   "SELECT \"frame\", \"scale_known\" FROM \"motion\" WHERE \"frame\" < ? AND "
+                   "\"state\" = 'tracking' ORDER BY \"frame\" DESC LIMIT 1");
+    last.bindNext(end);
+    if (!last.step()) return std::nullopt;
+    const std::int64_t frame = last.next().getInt64();
+    return TrackedScale{frame, last.next().getInt64() != 0};
+  });
+}
+
+Result<bool> RunReader::mixesScales(std::int64_t first) const {
+  return answered(name_, [&] {
+    return integerOf(database_,
+                     "SELECT count(DISTINCT \"scale_known\" <> 0) FROM \"motion\" WHERE "
+                     "\"state\" = 'tracking' AND \"frame\" >= " +
+                         std::to_string(first)) > 1;
+  });
+}
+
 Result<RunTotals> RunReader::totals() const {
   return answered(name_, [&] {
     return RunTotals{count(database_, "\"frame\""),

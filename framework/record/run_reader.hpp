@@ -22,6 +22,12 @@ struct RunTotals {
   std::int64_t loop_decisions = 0;  ///< frames with the decision close_loop
 };
 
+/// Whether the lengths of a tracked motion are in metres (Motion::scale_known).
+struct TrackedScale {
+  std::int64_t frame = -1;
+  bool is_known = true;
+};
+
 /// Reads the record as it was when it was opened, even if the run continues; trajectories and graph
 /// are therefore computed once and cached. Not thread-safe. A damaged database causes a failure,
 /// never rows of a wrong shape.
@@ -68,6 +74,10 @@ class RunReader {
   Result<RunTotals> totals() const;
   /// Whether the last motion was in metres; true where there is none.
   Result<bool> scaleKnown() const;
+  /// Of the last motion before frame `end` that was tracked; none where none was.
+  Result<std::optional<TrackedScale>> lastScale(std::int64_t end) const;
+  /// Whether the tracked motions from frame `first` on have lengths of both kinds.
+  Result<bool> mixesScales(std::int64_t first) const;
   Result<std::map<std::string, std::string>> meta() const;
   /// Durations by stage, ns.
   Result<std::map<std::string, std::vector<std::int64_t>>> timing() const;

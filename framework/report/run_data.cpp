@@ -141,6 +141,15 @@ void warnOfParts(evaluation::Metrics& metrics) {
       ": each is assumed to begin where the previous one ended, which adds to the errors";
 }
 
+/// No alignment fits a path of two units. Takes the place of other warnings: it is their cause.
+void warnOfScales(const record::RunReader& reader, std::int64_t own, evaluation::Metrics& metrics) {
+  const std::string text =
+      "some tracked motions are in metres and others in arbitrary units (scale_known), so the "
+      "lengths and errors mean nothing; see log.txt";
+  if (must(reader.mixesScales(own))) metrics.odometry.warning = text;
+  if (must(reader.mixesScales(0))) metrics.map.warning = text;
+}
+
 /// The metrics of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
                             const RunData& run, const config::EvaluationSettings& settings) {
@@ -165,6 +174,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
     countDropped(metrics.map, run.odometry, last_given);
     warnOfParts(metrics);
   }
+  warnOfScales(reader, own, metrics);
   const record::RunTotals totals = must(reader.totals());
   metrics.frames = totals.frames;
   metrics.templates = totals.templates;
@@ -214,11 +224,13 @@ ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Traj
   return series;
 }
 
-evaluation::CellHistory cellsOf(const record::RunReader& reader) {
+/// Also sets why the cells cannot be scored.
+evaluation::CellHistory cellsOf(const record::RunReader& reader, std::string& why_unscored) {
   evaluation::CellHistory cells(must(reader.arrayInfos()));
   const Status status = reader.visitCellArrays(
       [&](std::int64_t frame, NamedArray array) { cells.add(frame, std::move(array)); });
   if (!status.isOk()) throw std::runtime_error(status.message());
+  why_unscored = cells.whyUnscored();
   cells.dropEmpty();
   return cells;
 }
@@ -252,7 +264,7 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
       const bool scaled = scored->scores && data.metrics.alignment == Alignment::Sim3;
       scored->in_metres = scaled || must(reader.scaleKnown());
     }
-    data.cells = cellsOf(reader);
+    data.cells = cellsOf(reader, data.metrics.no_cells);
     data.metrics.cells = evaluation::scoreCells(data.cells, data.map, must(reader.map()),
                                                 data.truth, data.metrics.map, seed);
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);

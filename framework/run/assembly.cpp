@@ -123,9 +123,10 @@ std::string Assembly::stageName(Role role) const {
 }
 
 Failure Assembly::failureOf(const pipeline::StageFailure& failure) const {
-  const bool data = failure.role == Role::Source;
-  return {kindOf(failure.status, data ? FailureKind::Dataset : FailureKind::Stage),
-          failure.status.message(), stageName(failure.role)};
+  const FailureKind usual = failure.other_scale            ? FailureKind::Continuation
+                            : failure.role == Role::Source ? FailureKind::Dataset
+                                                           : FailureKind::Stage;
+  return {kindOf(failure.status, usual), failure.status.message(), stageName(failure.role)};
 }
 
 pipeline::Policies Assembly::policies() const {

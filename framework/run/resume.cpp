@@ -141,6 +141,11 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   assembly.place().resetChecks(-1, templates);
   assembly.cells().resetChecks(static_cast<std::int64_t>(graph.experiences.size()), templates);
   const auto frames = require(reader->records<Frame>(), kKind);
+  if (const auto scale = require(reader->lastScale(last + 1), kKind)) {
+    const bool is_earlier = scale->frame < first_frame;
+    point.scale = {scale->is_known,
+                   is_earlier ? assembly.system().config.general.continue_from : std::string()};
+  }
   point.motion = RepeatedOdometry(assembly, motions, frames).repeat(last, cancellation);
   return point;
 }

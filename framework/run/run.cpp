@@ -63,6 +63,7 @@ void Run::drive(Outcome& outcome) {
   RunListener listener(*recorder_, *assembly_, *directory_, log_, clock_);
   pipeline::Chain chain(assembly_->stages(), assembly_->policies(), listener);
   if (answers_) listener.recordAnswers(*answers_);
+  if (earlier_scale_) chain.continueMap(*earlier_scale_);
   if (resume_) {
     chain.resume(*resume_);
     listener.startAfter(resume_->checkpoint.frame);

@@ -100,6 +100,7 @@ class Run {
   std::vector<ArrayInfo> arrays_;               ///< descriptions for observers
   std::unique_ptr<record::RunReader> earlier_;  ///< the run that is continued, until it is copied
   std::int64_t first_frame_ = 0;
+  std::optional<pipeline::MapScale> earlier_scale_;  ///< of the run that is continued
   std::optional<pipeline::ResumePoint> resume_;
   std::unique_ptr<record::RunDirectory> directory_;
   nlohmann::ordered_json run_file_;  ///< contents of run.json

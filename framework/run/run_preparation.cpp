@@ -115,6 +115,9 @@ void Run::continueEarlierRun() {
                     directory, frames, before.frames));
   }
   first_frame_ = before.frames;
+  if (const auto scale = require(earlier_->lastScale(first_frame_), FailureKind::Continuation)) {
+    earlier_scale_ = {scale->is_known, directory};
+  }
   assembly_->source().startAt(first_frame_);
   assembly_->odometry().startAt(first_frame_);
   assembly_->place().resetChecks(before.templates);

@@ -19,7 +19,8 @@ namespace tolman::test {
 struct Hooks {
   std::int64_t frames = 30;
   std::function<Status(std::int64_t)> source, odometry, place, cells, map, pose_of;
-  std::function<Status(std::int64_t)> graph;  ///< called with the number of experiences
+  std::function<Status(std::int64_t)> graph;      ///< called with the number of experiences
+  std::function<bool(std::int64_t)> scale_known;  ///< of the motion at a frame; null: of all
   bool place_needs_motion = false;
   std::function<void()> map_finish;
   double step_m = 1e-3;            ///< of odometry in a frame, which takes 1 ms
@@ -63,6 +64,7 @@ struct ToyOdometry : Odometry {
     last_ns = frame.stamp_ns;
     state = 0.9 * state + static_cast<double>(frame.frame);
     motion.v = state;
+    if (hooks.scale_known) motion.scale_known = hooks.scale_known(frame.frame);
     if (frame.frame > 0) motion.T_previous_current.translation().z() = hooks.step_m;
     return Hooks::call(hooks.odometry, frame.frame);
   }

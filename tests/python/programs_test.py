@@ -42,6 +42,30 @@ CELLS = '''
 '''
 STAGE = "{plugin: python, file: mine.py%s}"
 
+WALK = '''
+    import numpy as np
+    import tolman
+
+    class Walk(tolman.Odometry):
+        """A metre a frame, or a unit from a frame on."""
+        metric_until: int = tolman.parameter(1000, range=(0, 1000), doc="Frame from which on the scale is unknown.")
+
+        def start(self):
+            self.last_ns = None
+
+        def track(self, frame):
+            motion = tolman.Motion()
+            if self.last_ns is not None:
+                motion.state, motion.tracked = "tracking", 50
+                motion.T_previous_current = tolman.from_planar(1, 0, 0)
+                motion.covariance = 1e-4 * np.eye(6)
+                motion.scale_known = frame.frame < self.metric_until
+                tolman.set_planar_velocity(motion, 1e-9 * (frame.stamp_ns - self.last_ns))
+            self.last_ns = frame.stamp_ns
+            return motion
+'''
+UNSCALED = "{plugin: python, file: walk.py, metric_until: %d}"
+
 
 class ProgramsTest(Systems):
     def setUp(self):
@@ -207,6 +231,38 @@ class ProgramsTest(Systems):
         database = sqlite3.connect(self.folder / "tuesday/run.sqlite")
         heading, = database.execute("SELECT heading FROM decision ORDER BY frame DESC LIMIT 1").fetchone()
         self.assertAlmostEqual(heading, 5.0)  # 50 frames
+
+    def test_a_map_in_metres_is_not_continued_in_arbitrary_units(self):
+        self.write("walk.py", WALK)
+        monday = self.folder / "monday"
+        self.assertEqual(self.run_system(out="monday", cells=STAGE % "", odometry=UNSCALED % 1000).returncode, 0)
+        ran = self.run_system("--continue", monday, out="tuesday", cells=STAGE % "", odometry=UNSCALED % 0)
+        self.assertEqual(ran.returncode, 9, ran.stderr)
+        self.assertIn("odometry gives lengths in arbitrary units (scale_known is false), and the map of the "
+                      f"earlier session {monday} has lengths in metres", ran.stderr)
+        run = json.loads((self.folder / "tuesday/run.json").read_text())
+        self.assertEqual((run["status"], run["failure"]["kind"]), ("failed", "continuation"))
+        self.assertIn(str(monday), run["message"])
+        self.assertFalse((self.folder / "tuesday/state/session.json").exists())
+        ran = self.run_system("--continue", monday, out="same", cells=STAGE % "", odometry=UNSCALED % 1000)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+
+    def test_a_single_camera_continues_its_own_kind(self):
+        self.write("walk.py", WALK)
+        for out, more in (("monday", []), ("tuesday", ["--continue", self.folder / "monday"])):
+            ran = self.run_system(*more, out=out, cells=STAGE % "", odometry=UNSCALED % 0)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            self.assertNotIn("scale_known", ran.stderr)
+
+    def test_a_scale_that_changes_within_a_run_is_warned_of(self):
+        self.write("walk.py", WALK)
+        ran = self.run_system(cells=STAGE % "", odometry=UNSCALED % 12)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertIn("in arbitrary units (scale_known is false), those before in metres", ran.stderr)
+        self.assertIn("in arbitrary units", (self.folder / "run/log.txt").read_text())
+        metrics = json.loads((self.folder / "run/metrics.json").read_text())
+        for path in ("odometry", "map"):
+            self.assertIn("some tracked motions are in metres", metrics[path]["warning"])
 
 
 if __name__ == "__main__":

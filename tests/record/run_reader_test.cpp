@@ -157,6 +157,36 @@ TEST_CASE("the scale is known, or not, as the last motion says") {
   }
 }
 
+TEST_CASE("which scale tracked motions have, and whether they have both") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  const auto record = [&](std::int64_t index, TrackingState state, bool metric) {
+    const Frame frame = test::frameAt(index);
+    Motion motion = test::motionAt(index);
+    motion.state = state;
+    motion.scale_known = metric;
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    snapshot.motion = &motion;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+  };
+  record(0, TrackingState::Initialising, true);
+  record(1, TrackingState::Tracking, false);
+  record(2, TrackingState::Lost, true);
+  record(3, TrackingState::Tracking, true);
+  REQUIRE(recorder->close().isOk());
+  const auto reader = RunReader::open(folder.path()).value();
+  CHECK_FALSE(reader->lastScale(1).value());
+  for (const std::int64_t end : {2, 3}) {
+    REQUIRE(reader->lastScale(end).value());
+    CHECK(reader->lastScale(end).value()->frame == 1);
+    CHECK_FALSE(reader->lastScale(end).value()->is_known);
+  }
+  CHECK(reader->lastScale(4).value()->is_known);
+  CHECK(reader->mixesScales(0).value());
+  CHECK_FALSE(reader->mixesScales(2).value());
+}
+
 TEST_CASE("the truth is that of the frames that have one") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
