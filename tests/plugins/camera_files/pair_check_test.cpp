@@ -15,7 +15,7 @@ std::string refusalOf(const std::string& text, const char* name, int cameras = 2
   const test::TemporaryFolder folder;
   std::ofstream(folder.path() / name) << text;
   const auto rig = camera_files::readCameras({folder.path() / name}, {cameras, 640, 480});
-  const std::string& message = rig.status().message();
+  const std::string message = rig.status().message();
   return message.empty() ? "" : message.substr(folder.path().string().size() + 1);
 }
 
