@@ -107,7 +107,7 @@ TEST_CASE("turns of the opposite sign are detected with every alignment") {
     for (int i = 0; i < 200; ++i) {
       T.linear() = Eigen::AngleAxisd(turn * angle(i), Eigen::Vector3d::UnitY()).toRotationMatrix();
       T.translation() += Eigen::Vector3d(side * std::sin(angle(i)), 0, std::cos(angle(i)));
-      poses.push_back({i, i, T, true});
+      poses.push_back({i, 100'000'000LL * i, T, true});
     }
     return poses;
   };
