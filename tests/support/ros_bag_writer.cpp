@@ -142,12 +142,12 @@ std::string imuMessage(std::int64_t stamp_ns, const std::vector<double>& angular
 }
 
 std::string odometryMessage(std::int64_t stamp_ns, double x, double y, double theta, double speed,
-                            const std::string& frame) {
+                            const std::string& frame, double turn_rate) {
   const std::vector<double> unknown(36, 0);
   CdrWriter message;
   message.header(stamp_ns, frame).text("base").numbers({x, y, 0});
   message.numbers({0, 0, std::sin(theta / 2), std::cos(theta / 2)}).numbers(unknown);
-  return message.numbers({speed, 0, 0, 0, 0, 0}).numbers(unknown).bytes();
+  return message.numbers({speed, 0, 0, 0, 0, turn_rate}).numbers(unknown).bytes();
 }
 
 std::string mcapBytes(const std::vector<RosMessage>& messages, const McapStyle& style) {

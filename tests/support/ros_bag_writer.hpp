@@ -84,7 +84,8 @@ std::string imuMessage(std::int64_t stamp_ns, const std::vector<double>& angular
                        const std::vector<double>& linear_acceleration);
 /// A robot at (x, y) with this heading.
 std::string odometryMessage(std::int64_t stamp_ns, double x, double y, double theta,
-                            double speed = 0, const std::string& frame = "odom");
+                            double speed = 0, const std::string& frame = "odom",
+                            double turn_rate = 0);
 
 struct RosMessage {
   std::string topic;

@@ -7,12 +7,6 @@
 namespace tolman::ros_bag {
 namespace {
 
-/// Heading, rad, of an orientation (x, y, z, w) of any length in axes with z upwards.
-double headingOf(const std::array<double, 4>& q) {
-  const auto [x, y, z, w] = q;
-  return std::atan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z);
-}
-
 float f(double value) { return static_cast<float>(value); }
 
 }  // namespace
@@ -48,8 +42,7 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
       tellDamaged(*odometry, message);
       continue;
     }
-    speeds_.add(message.stamp_ns, Eigen::Vector3d::Map(measured->position.data()),
-                Eigen::Vector3d::Map(measured->velocity.data()).norm());
+    speeds_.add(message.stamp_ns, *measured);
     poses_.push_back(
         {message.stamp_ns,
          {measured->position[0], measured->position[1], headingOf(measured->orientation)}});

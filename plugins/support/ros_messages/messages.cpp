@@ -60,6 +60,11 @@ bool readsPart(FieldReader& fields, const CameraInfoMessage& info) {
 
 }  // namespace
 
+double headingOf(const std::array<double, 4>& orientation) {
+  const auto [x, y, z, w] = orientation;
+  return std::atan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z);
+}
+
 std::optional<std::int64_t> headerStamp(const Message& message) {
   FieldReader fields(message);
   const std::int64_t stamp_ns = readStamp(fields);
@@ -135,7 +140,10 @@ std::optional<OdometryMessage> readOdometry(const Message& message) {
   if (!fields.ok() || !finite || !isRotation(odometry.orientation)) return std::nullopt;
   fields.numbers<36>();  // covariance
   const std::array<double, 3> velocity = fields.numbers<3>();
-  if (fields.ok() && areFinite(velocity)) odometry.velocity = velocity;
+  const std::array<double, 3> angular_velocity = fields.numbers<3>();
+  if (!fields.ok() || !areFinite(velocity) || !areFinite(angular_velocity)) return odometry;
+  odometry.velocity = velocity;
+  odometry.angular_velocity = angular_velocity;
   return odometry;
 }
 

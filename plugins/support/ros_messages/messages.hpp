@@ -58,9 +58,13 @@ struct OdometryMessage {
   std::string_view frame;        ///< in which the pose is
   std::string_view child_frame;  ///< of which it is the pose
   std::array<double, 3> position{};
-  std::array<double, 4> orientation{};  ///< x, y, z, w
-  std::array<double, 3> velocity{};     ///< m/s; often zero where it is not measured
+  std::array<double, 4> orientation{};       ///< x, y, z, w
+  std::array<double, 3> velocity{};          ///< m/s; often zero where it is not measured
+  std::array<double, 3> angular_velocity{};  ///< rad/s; likewise
 };
+
+/// Heading, rad, of an orientation (x, y, z, w) of any length in axes with z upwards.
+double headingOf(const std::array<double, 4>& orientation);
 
 /// Time in the header of these messages, ns: 0 if it is not set, negative if a clock was wrong.
 /// Empty if the message ends before it.

@@ -53,6 +53,49 @@ TEST_CASE("poses in cm with velocities in m/s are told, others are not") {
   CHECK(isTold(played, "are both in m and m/s?") == (scale > 1 && speed > 0));
 }
 
+TEST_CASE("headings that contradict the angular velocities are told") {
+  const test::TemporaryFolder folder;
+  // A circle of 20 m at 12 m/s, and what is written of its headings.
+  const double factor = GENERATE(1.0, -1.0, 0.0);
+  const bool measured = GENERATE(true, false);
+  CAPTURE(factor, measured);
+  const Played played = playedOf(
+      folder, driveWith([&](double time, std::int64_t stamp) {
+        const double angle = 0.6 * time;
+        return test::odometryMessage(stamp, 20 * std::sin(angle), 20 * (1 - std::cos(angle)),
+                                     factor * angle, measured ? 12 : 0, "odom", measured ? 0.6 : 0);
+      }));
+  CHECK(played.message.empty());
+  CHECK(played.context.log.empty() == (factor == 1 || !measured));
+}
+
+TEST_CASE("orientations that do not turn with the robot are told") {
+  const test::TemporaryFolder folder;
+  const Played played = playedOf(folder, driveWith([](double time, std::int64_t stamp) {
+                                   return test::odometryMessage(stamp, time, 0, 0, 1, "odom", 0.6);
+                                 }));
+  CHECK(isTold(played, "its poses turn by 0 degrees, and its angular velocities by"));
+}
+
+TEST_CASE("a robot that drives backwards by its velocities and forwards by its poses is told") {
+  const test::TemporaryFolder folder;
+  const double speed = GENERATE(12.0, -12.0, 24.0);
+  CAPTURE(speed);
+  const Played played = playedOf(folder, driveWith([&](double time, std::int64_t stamp) {
+                                   return test::odometryMessage(stamp, 12 * time, 0, 0, speed);
+                                 }));
+  CHECK(isTold(played, "move in other directions than its velocities") == (speed < 0));
+  CHECK(isTold(played, "are both in m and m/s?") == (speed > 12));
+}
+
+TEST_CASE("velocities in the frame of the poses, as simulators write them, are no doubt") {
+  const test::TemporaryFolder folder;
+  const Played played = playedOf(folder, driveWith([](double time, std::int64_t stamp) {
+                                   return test::odometryMessage(stamp, 12 * time, 0, 3, 12);
+                                 }));
+  CHECK(played.context.log.empty());
+}
+
 TEST_CASE("a robot that stands, with noise in its odometry, has no doubtful unit") {
   const test::TemporaryFolder folder;
   const Played played =
