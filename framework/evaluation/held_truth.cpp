@@ -11,7 +11,7 @@
 namespace tolman::evaluation {
 namespace {
 
-double stepBetween(const Trajectory& path, std::size_t from, std::size_t to) {
+double distanceBetween(const Trajectory& path, std::size_t from, std::size_t to) {
   return (path[to].T_world_camera.translation() - path[from].T_world_camera.translation()).norm();
 }
 
@@ -25,7 +25,7 @@ bool isRepeated(const Matches& pairs, std::size_t i) {
 /// Median distance between consecutive poses, m; 0 for fewer than two.
 double usualStep(const Trajectory& path) {
   std::vector<double> steps;
-  for (std::size_t i = 1; i < path.size(); ++i) steps.push_back(stepBetween(path, i - 1, i));
+  for (std::size_t i = 1; i < path.size(); ++i) steps.push_back(distanceBetween(path, i - 1, i));
   return steps.empty() ? 0 : statistics(steps).median;
 }
 
@@ -37,10 +37,10 @@ bool jumpsAfter(const Matches& pairs, std::size_t first, std::size_t last, doubl
   constexpr double kSteps = 1.8;  // steps; one over three equal poses is of 3; chosen, not tuned
   const std::size_t next = last + 1;
   if (!pairs.estimate[next].tracked || !pairs.inOnePiece(last, next)) return false;
-  const double jump = stepBetween(pairs.truth, last, next);
-  const double way = stepBetween(pairs.estimate, first, next);
-  const double step = std::max(usual, stepBetween(pairs.estimate, last, next));
-  return jump > kSteps * step && jump < kAsLong * way && way < kAsLong * jump;
+  const double jump = distanceBetween(pairs.truth, last, next);
+  const double way = distanceBetween(pairs.estimate, first, next);
+  const double longest = std::max(usual, distanceBetween(pairs.estimate, last, next));
+  return jump > kSteps * longest && jump < kAsLong * way && way < kAsLong * jump;
 }
 
 }  // namespace
@@ -54,13 +54,13 @@ std::string heldHint(const Matches& aligned) {
   for (std::size_t first = 0, i = 1; i < aligned.size(); ++i) {
     if (isRepeated(aligned, i)) continue;
     const std::size_t last = i - 1;
-    const double way = stepBetween(aligned.estimate, first, last);
+    const double way = distanceBetween(aligned.estimate, first, last);
     if (i - first >= kFewest && way >= moved && jumpsAfter(aligned, first, last, usual)) {
       return fmt::format(
           "the truth stands still from frame {} to {} while the estimate moves {:.3g} m, and then "
           "jumps {:.3g} m: are poses held or missing? All errors are wrong if so",
           aligned.truth[first].frame, aligned.truth[last].frame, way,
-          stepBetween(aligned.truth, last, i));
+          distanceBetween(aligned.truth, last, i));
     }
     first = i;
   }
