@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "evaluation/axes_hint.hpp"
+#include "evaluation/held_truth.hpp"
 #include "evaluation/open_turn.hpp"
 #include "tolman/fields.hpp"
 
@@ -197,6 +198,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
+  if (metrics.warning.empty()) metrics.warning = heldHint(pairs);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);
   if (metrics.warning.empty()) metrics.warning = speedHint(pairs);
