@@ -178,7 +178,9 @@ class ProgramsTest(Systems):
 
     def test_a_run_whose_program_imports_other_modules_is_not_resumed(self):
         helpers = self.with_helper()
-        config = self.config(cells="{plugin: python, file: other.py}")
+        (self.folder / "drive").mkdir()
+        write_octagon(self.folder / "drive")
+        config = self.config(source="{plugin: motion_log, path: drive}", cells="{plugin: python, file: other.py}")
         out = self.folder / "run"
         words = ["run", config, "--out", out, "--set", "record.state_every=0.05", "--set", "pipeline.mode=realtime",
                  "--set", "pipeline.input_policy=block"]
