@@ -10,6 +10,7 @@
 
 #include "app/program.hpp"
 #include "record/run_directory.hpp"
+#include "run/program_changes.hpp"
 
 namespace tolman::app {
 namespace {
@@ -60,17 +61,8 @@ void addPluginChanges(const Json& old, const Json& now, std::vector<std::string>
   if (differs("id") || differs("sha256")) {
     changes.push_back("plugins: " + now.value("id", "") + " has other contents");
   }
-  if (differs("program_sha256")) {
-    changes.push_back("plugins: " + now.value("program", "") + " has other contents");
-  }
-  const Json no_files = Json::object();
-  const Json old_files = old.value("program_files", no_files);
-  const Json new_files = now.value("program_files", no_files);
-  for (const auto& [file, digest] : new_files.items()) {
-    const auto known = old_files.find(file);
-    if (known == old_files.end() || *known != digest) {
-      changes.push_back("plugins: " + file + " has other contents");
-    }
+  for (const std::string& file : run::changedProgramFiles(old, now)) {
+    changes.push_back("plugins: " + file + " has other contents");
   }
 }
 

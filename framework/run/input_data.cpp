@@ -37,6 +37,14 @@ bool isFile(const std::string& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+StageSchemas schemasOf(const CheckedSystem& system) {
+  StageSchemas schemas;
+  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
+    schemas[system.config.stages[i].instance] = &system.plugins[i].schema;
+  }
+  return schemas;
+}
+
 }  // namespace
 
 std::vector<std::string> inputPaths(const config::SystemConfig& config,
@@ -60,11 +68,16 @@ std::vector<std::string> inputPaths(const config::SystemConfig& config,
 }
 
 std::vector<std::string> inputPaths(const CheckedSystem& system) {
-  StageSchemas schemas;
-  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
-    schemas[system.config.stages[i].instance] = &system.plugins[i].schema;
-  }
-  return inputPaths(system.config, system.values, schemas);
+  return inputPaths(system.config, system.values, schemasOf(system));
+}
+
+std::vector<std::string> statePaths(const CheckedSystem& system) {
+  config::SystemConfig config = system.config;
+  config.general.continue_from.clear();
+  std::erase_if(config.stages, [](const config::StageConfig& stage) {
+    return stage.role != Role::Place && stage.role != Role::Cells && stage.role != Role::Map;
+  });
+  return inputPaths(config, system.values, schemasOf(system));
 }
 
 std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths) {

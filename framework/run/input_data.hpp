@@ -27,6 +27,9 @@ std::vector<std::string> inputPaths(const config::SystemConfig& config,
 /// The inputPaths() of a system that is about to run.
 std::vector<std::string> inputPaths(const CheckedSystem& system);
 
+/// Those of the stages whose state a later run loads: place, cells and map.
+std::vector<std::string> statePaths(const CheckedSystem& system);
+
 /// All files of these paths, as they are now. Folders that cannot be read are left out.
 std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths);
 

@@ -76,6 +76,7 @@ class Run {
   void openRecord();
   void recordSessions();
   void warnOfOtherCamera(const std::vector<CameraRig>& before);
+  void warnOfOtherPrograms();
   void openAnswers();
   std::string runId() const;
 

@@ -12,6 +12,7 @@
 #include "record/digest.hpp"
 #include "record/run_id.hpp"
 #include "run/input_data.hpp"
+#include "run/program_changes.hpp"
 #include "run/provenance.hpp"
 #include "run/resume.hpp"
 #include "run/run.hpp"
@@ -32,6 +33,12 @@ void refuseOtherConfig(const std::filesystem::path& run, const nlohmann::ordered
                    ": has changed since the run was recorded; put it back, or run it again");
 }
 
+[[noreturn]] void refuseChanged(const std::string& path, const std::filesystem::path& run,
+                                const std::string& remedy) {
+  refuseToContinue(path + ": has other contents than when the run began (" +
+                   (run / "run.json").string() + "); " + remedy + ", or run it again");
+}
+
 /// Refuses to resume a run whose data have changed: its results would be of two data sets.
 void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_json& before,
                      const nlohmann::ordered_json& now) {
@@ -45,8 +52,32 @@ void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_j
     path = data["path"].get<std::string>();
     break;
   }
-  refuseToContinue(path + ": has other contents than when the run began (" +
-                   (run / "run.json").string() + "); put them back, or run it again");
+  refuseChanged(path, run, "put them back");
+}
+
+/// Refuses to resume a run if the programs of its stages, or modules that they import, have
+/// changed: the saved states are theirs. Observers start again, so they may be others.
+void refuseOtherPrograms(const std::filesystem::path& run, const nlohmann::ordered_json& before,
+                         const nlohmann::ordered_json& now) {
+  const std::vector<std::string> changed = changedProgramFiles(
+      before, now, {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map});
+  if (!changed.empty()) refuseChanged(changed.front(), run, "put it back");
+}
+
+/// Paths of "data" whose digests are known of both runs, and are others.
+std::vector<std::string> changedData(const nlohmann::ordered_json& before,
+                                     const nlohmann::ordered_json& now) {
+  constexpr const char* kDigest = "sha256";
+  std::vector<std::string> changed;
+  if (!before.is_object() || !before.contains("data")) return changed;
+  for (const auto& old : before["data"]) {
+    if (!old.is_object() || !old.contains("path") || !old.contains(kDigest)) continue;
+    for (const auto& data : now["data"]) {
+      if (data["path"] != old["path"] || !data.contains(kDigest)) continue;
+      if (data[kDigest] != old[kDigest]) changed.push_back(data["path"]);
+    }
+  }
+  return changed;
 }
 
 /// Refuses a run directory that contains input data: replacing an earlier run there could delete
@@ -142,6 +173,7 @@ void Run::resumeRun() {
   refuseOtherConfig(path, before);
   nlohmann::ordered_json now = provenance(*assembly_, options_.command_line);
   refuseOtherData(path, before, now);
+  refuseOtherPrograms(path, before, now);
   record::RunDirectory directory =
       require(record::RunDirectory::reopen(path), FailureKind::Continuation);
   log_.write(LogLevel::Info, "resume", "source and odometry repeat the recorded frames");
@@ -189,6 +221,7 @@ void Run::recordSessions() {
     session.id = static_cast<std::int64_t>(sessions.size());
     require(recorder_->inherit(*earlier_, first_frame_), FailureKind::Record);
     warnOfOtherCamera(require(earlier_->records<CameraRig>(), FailureKind::Record));
+    warnOfOtherPrograms();
     earlier_.reset();
   }
   require(recorder_->session(session), FailureKind::Record);
@@ -211,6 +244,26 @@ void Run::warnOfOtherCamera(const std::vector<CameraRig>& before) {
   if (changes.empty()) return;
   const std::string text = "the camera is another than in the earlier session (" + changes +
                            "); places seen with the earlier one may not be recognised";
+  log_.write(LogLevel::Warning, "continue", text);
+  require(recorder_->event(-1, LogLevel::Warning, "continue", text), FailureKind::Record);
+}
+
+/// A state was loaded that other contents of a program, or of a file that a parameter names, may
+/// have made. Files whose digests are not known are not compared.
+void Run::warnOfOtherPrograms() {
+  const auto before = record::RunDirectory::readRunFile(config().general.continue_from);
+  std::vector<std::string> changed =
+      changedProgramFiles(before, run_file_, {Role::Place, Role::Cells, Role::Map});
+  const std::vector<std::string> paths = statePaths(assembly_->system());
+  for (std::string& path : changedData(before, run_file_)) {
+    const bool is_known = std::ranges::find(changed, path) != changed.end();
+    if (!is_known && std::ranges::find(paths, path) != paths.end()) changed.push_back(path);
+  }
+  if (changed.empty()) return;
+  const std::string text = fmt::format(
+      "{} {} other contents than in the earlier session, whose state was loaded; if that changes "
+      "what the state means, begin a new map",
+      fmt::join(changed, ", "), changed.size() == 1 ? "has" : "have");
   log_.write(LogLevel::Warning, "continue", text);
   require(recorder_->event(-1, LogLevel::Warning, "continue", text), FailureKind::Record);
 }

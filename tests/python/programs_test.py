@@ -2,11 +2,15 @@
 """Plugins in Python in whole runs: parameters, arrays, state, provenance, seeds, and results that do not depend on threads."""
 import json
 import os
+import shutil
+import signal
 import sqlite3
+import subprocess
+import time
 import unittest
 import unittest.mock
 
-from support import Systems, tolman, write_octagon
+from support import BUILD, Systems, tolman, write_octagon
 
 CELLS = '''
     import math
@@ -165,6 +169,57 @@ class ProgramsTest(Systems):
         self.assertIn(f"plugins: {gains} has other contents", self.rerun())
         other.write_text(other.read_text() + "\n# edited\n")
         self.assertIn(f"plugins: {other} has other contents", self.rerun())
+
+    def with_helper(self):
+        """The modules that other.py imports: a helper, and one of a package."""
+        (self.folder / "parts").mkdir()
+        self.write("other.py", CELLS.replace("import math", "import math\n    import gains\n    from parts import inner", 1))
+        return self.write("gains.py", "DOUBLE = 2\n"), self.write("parts/inner.py", "HALF = 0.5\n")
+
+    def test_a_run_whose_program_imports_other_modules_is_not_resumed(self):
+        helpers = self.with_helper()
+        (self.folder / "drive").mkdir()
+        write_octagon(self.folder / "drive")
+        config = self.config(source="{plugin: motion_log, path: drive}", cells="{plugin: python, file: other.py}")
+        out = self.folder / "run"
+        words = ["run", config, "--out", out, "--set", "record.state_every=0.05", "--set", "pipeline.mode=realtime",
+                 "--set", "pipeline.input_policy=block"]
+        going = subprocess.Popen([BUILD / "bin/tolman", *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        end = time.monotonic() + 60
+        while not (out / "state/checkpoint.json").exists() and going.poll() is None and time.monotonic() < end:
+            time.sleep(0.01)
+        going.kill()
+        self.assertEqual(going.wait(), -signal.SIGKILL)
+
+        def contents():
+            return {file: file.read_bytes() for file in out.rglob("*") if file.is_file() and "sqlite" not in file.name}
+
+        before = contents()
+        for helper in helpers:
+            text = helper.read_text()
+            helper.write_text(text + "# edited\n")
+            refused = tolman("run", "--resume", out)
+            self.assertEqual(refused.returncode, 9, refused.stderr)
+            self.assertIn(f"{helper}: has other contents than when the run began ({out}/run.json); put it back", refused.stderr)
+            self.assertEqual(contents(), before)
+            helper.write_text(text)
+        resumed = tolman("run", "--resume", out)
+        self.assertEqual(resumed.returncode, 0, resumed.stderr)
+
+    def test_a_session_that_continues_with_another_program_is_warned_of(self):
+        helper, _ = self.with_helper()
+        monday, cells = self.folder / "monday", "{plugin: python, file: other.py}"
+        self.assertEqual(self.run_system(out="monday", cells=cells).returncode, 0)
+        same = self.run_system("--continue", monday, out="same", cells=cells)
+        self.assertEqual(same.returncode, 0, same.stderr)
+        self.assertNotIn("other contents", same.stderr)
+        for edited, changed in ((helper, f"{helper} has"), (self.folder / "other.py", f"{self.folder}/other.py, {helper} have")):
+            edited.write_text(edited.read_text() + "\n# edited\n")
+            ran = self.run_system("--continue", monday, out="tuesday", cells=cells)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            self.assertEqual(ran.stderr.count(f"{changed} other contents than in the earlier session"), 1, ran.stderr)
+            self.assertIn("other contents than in the earlier session", (self.folder / "tuesday/log.txt").read_text())
+            shutil.rmtree(self.folder / "tuesday")
 
     def rerun(self):
         return tolman("rerun", self.folder / "run", "--verify", "--force").stdout
