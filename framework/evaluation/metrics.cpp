@@ -10,6 +10,7 @@
 
 #include "evaluation/axes_hint.hpp"
 #include "evaluation/open_turn.hpp"
+#include "evaluation/session_frames.hpp"
 #include "tolman/fields.hpp"
 
 namespace tolman::evaluation {
@@ -197,6 +198,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
+  if (metrics.warning.empty()) metrics.warning = sessionFramesHint(pairs, alignment);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);
   if (metrics.warning.empty()) metrics.warning = speedHint(pairs);
