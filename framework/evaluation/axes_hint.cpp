@@ -149,9 +149,15 @@ std::string axesHint(const Matches& matches) {
   const double apart = directionsApart(matches, steps);
   if (apart < kApart) return "";
   const Steps other = stepsOf(inverted(matches.truth), matches.estimate);
+  // On a straight path, and on a circle, inverted and reversed poses are alike.
+  const bool backwards = meanAngle(-steps.products.trace(), steps) < kTogether;
   if (meanAngle(other.products.trace(), other) < kTogether) {
-    return "the true poses, read as world to camera, agree with the estimate, and as camera to "
-           "world they do not: write camera-to-world poses. All errors are wrong until then";
+    return fmt::format(
+        "the true poses, read as world to camera, agree with the estimate, and as camera to world "
+        "they do not: write camera-to-world poses{}. All errors are wrong until then",
+        backwards ? ", or, if they are that, give them in the order of the frames: read as they "
+                    "are they drive backwards, as in reverse order"
+                  : "");
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(steps.products,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -162,8 +168,8 @@ std::string axesHint(const Matches& matches) {
   return fmt::format(
       "true and estimated motion point in directions {:.0f} degrees apart, but in the same way "
       "all along: are the true poses camera to world, of the left camera (x right, y down, z "
-      "forward), with quaternions as x y z w? Rotation errors, drift and NEES are wrong if not",
-      apart / kDegree);
+      "forward), with quaternions as x y z w{}? Rotation errors, drift and NEES are wrong if not",
+      apart / kDegree, backwards ? ", and in the order of the frames" : "");
 }
 
 std::string turnHint(const Matches& matches) {

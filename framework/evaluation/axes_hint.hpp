@@ -14,7 +14,7 @@ namespace tolman::evaluation {
 
 /// A warning if the directions of motion, each in its camera's own axes, differ by more than 45
 /// degrees in the mean and one rotation, or inverting the true poses, brings them within 15
-/// degrees; else empty.
+/// degrees; else empty. Where the truth drives backwards, it also names a reverse order.
 std::string axesHint(const Matches& matches);
 
 /// A warning if the turns of the truth are opposite to those of the estimate, as with an axis or

@@ -11,6 +11,7 @@
 #include "evaluation/axes_hint.hpp"
 #include "evaluation/held_truth.hpp"
 #include "evaluation/open_turn.hpp"
+#include "evaluation/session_frames.hpp"
 #include "tolman/fields.hpp"
 
 namespace tolman::evaluation {
@@ -199,6 +200,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
   if (metrics.warning.empty()) metrics.warning = heldHint(pairs);
+  if (metrics.warning.empty()) metrics.warning = sessionFramesHint(pairs, alignment);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);
   if (metrics.warning.empty()) metrics.warning = speedHint(pairs);

@@ -50,6 +50,34 @@ TEST_CASE("world-to-camera poses are detected; camera-to-world poses in any worl
   CHECK(axesHint(test::paired(test::moved(estimate, test::randomPose(random)), estimate)).empty());
 }
 
+TEST_CASE("true poses in reverse order: the hint names the order") {
+  const auto reversed = [](const Trajectory& path) {
+    Trajectory truth = path;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      truth[i].T_world_camera = path[path.size() - 1 - i].T_world_camera;
+    }
+    return truth;
+  };
+  const Trajectory straight = test::straightPath(60);
+  const std::string either = axesHint(test::paired(reversed(straight), straight));
+  CHECK(either.find("write camera-to-world poses, or") != std::string::npos);
+  CHECK(either.find("in the order of the frames") != std::string::npos);
+  Trajectory block = straight;  // around a block: not alike when inverted, as straight and round
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  for (TrajectoryPose& pose : block) {
+    pose.T_world_camera = T;
+    const double turn = pose.frame == 20 || pose.frame == 40 ? std::numbers::pi / 2 : 0;
+    T = T * Eigen::Translation3d(0, 0, 1) * Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY());
+  }
+  const std::string order = axesHint(test::paired(reversed(block), block));
+  CHECK(order.find("and in the order of the frames?") != std::string::npos);
+  Trajectory inverse = block;
+  for (TrajectoryPose& pose : inverse) pose.T_world_camera = pose.T_world_camera.inverse();
+  const std::string inverted = axesHint(test::paired(inverse, block));
+  CHECK(inverted.starts_with("the true poses, read as world to camera"));
+  CHECK(inverted.find("order") == std::string::npos);
+}
+
 TEST_CASE("a poor estimate, few frames and standing still are no reason for a hint") {
   RandomStream random(4);
   const Trajectory truth = drive();
