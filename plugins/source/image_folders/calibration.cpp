@@ -5,25 +5,22 @@
 #include <map>
 #include <string>
 
+#include "projection.hpp"
 #include "text_file.hpp"
 
 namespace tolman::image_folders {
 
 namespace {
 
-using Projection = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
+using source_parameters::Projection;
 
 /// A matrix and its line number.
 struct Entry {
   Projection P = Projection::Zero();
   int line = 0;
 
-  Pinhole pinhole() const { return {P(0, 0), P(1, 1), P(0, 2), P(1, 2)}; }
-  /// t of P = K [I | t], m: the origin of camera 0 in the axes of this camera.
-  Eigen::Vector3d offset() const {
-    const Pinhole K = pinhole();
-    return {(P(0, 3) - K.cx * P(2, 3)) / K.fx, (P(1, 3) - K.cy * P(2, 3)) / K.fy, P(2, 3)};
-  }
+  Pinhole pinhole() const { return source_parameters::pinholeOf(P); }
+  Eigen::Vector3d offset() const { return source_parameters::offsetOf(P); }
 };
 
 std::string matrixName(int camera) { return {'P', static_cast<char>('0' + camera)}; }
@@ -105,10 +102,9 @@ bool checkPinhole(const std::filesystem::path& file, const Entry& entry, Inspect
 /// Whether both cameras have the same pinhole and the right one is on the positive x axis.
 bool checkPair(const std::filesystem::path& file, const Entry& left, const Entry& right,
                Inspection& inspection) {
-  constexpr double kSameFocal = 1e-3;   // px
-  constexpr double kMin = 1e-3;         // m
-  constexpr double kMax = 5;            // m
-  constexpr double kMisaligned = 0.02;  // of the baseline; KITTI's colour pair has 0.005
+  constexpr double kSameFocal = 1e-3;  // px
+  constexpr double kMin = 1e-3;        // m
+  constexpr double kMax = 5;           // m
   const Eigen::Vector3d t = left.offset() - right.offset();
   const std::string baseline = "baseline is " + fixed(t.x(), 4) + " m";
   std::string problem;
@@ -122,7 +118,7 @@ bool checkPair(const std::filesystem::path& file, const Entry& left, const Entry
               "folders, or change the sign of the fourth number";
   } else if (t.x() > kMax) {
     problem = baseline + ", more than 5 m; the fourth number must be -fx * baseline, in px m";
-  } else if (std::hypot(t.y(), t.z()) > kMisaligned * t.x()) {
+  } else if (!source_parameters::isBeside(t)) {
     problem = "the right camera is " + fixed(t.y(), 4) + " m below and " + fixed(t.z(), 4) +
               " m before the left one; rectify the images";
   }

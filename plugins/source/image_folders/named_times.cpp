@@ -123,14 +123,6 @@ std::optional<NamedTimes> namedTimes(const std::vector<std::string>& numbers,
   return std::nullopt;
 }
 
-std::int64_t medianStep(const std::vector<std::int64_t>& times) {
-  std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  const auto median = steps.begin() + std::ssize(steps) / 2;
-  std::ranges::nth_element(steps, median);
-  return *median;
-}
-
 /// Why the names, which are times, contradict those of the rows. Half a frame is the limit because
 /// the time of another row is then nearer; the name may also be rounded.
 std::optional<std::string> otherTimes(const std::vector<fs::path>& images, const NamedTimes& names,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "text_file.hpp"
+#include "times_and_poses.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -35,15 +36,8 @@ std::optional<StatedRate> statedRate(const fs::path& file) {
   return std::nullopt;
 }
 
-/// Half of the steps are shorter; the times must increase.
 double medianRate(const std::vector<std::int64_t>& stamps_ns) {
-  std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < stamps_ns.size(); ++i) {
-    steps.push_back(stamps_ns[i] - stamps_ns[i - 1]);
-  }
-  const auto median = steps.begin() + std::ssize(steps) / 2;
-  std::ranges::nth_element(steps, median);
-  return 1e9 / static_cast<double>(std::max<std::int64_t>(*median, 1));
+  return 1e9 / static_cast<double>(std::max<std::int64_t>(medianStep(stamps_ns), 1));
 }
 
 }  // namespace

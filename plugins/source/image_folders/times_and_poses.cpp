@@ -141,11 +141,7 @@ void checkStep(const fs::path& file, const std::vector<std::int64_t>& times, Tim
   constexpr std::int64_t kUnusual_ns = 5'000'000'000;
   constexpr std::int64_t kImpossible_ns = 10'000'000'000;
   if (times.size() < 2) return;
-  std::vector<std::int64_t> steps(times.size() - 1);
-  std::transform(times.begin() + 1, times.end(), times.begin(), steps.begin(), std::minus<>());
-  const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), median, steps.end());
-  const std::int64_t usual = *median;
+  const std::int64_t usual = medianStep(times);
   checkShortStep(file, usual, unit, inspection);
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const std::int64_t step = times[i + 1] - times[i];
@@ -179,6 +175,14 @@ void reportEqual(const fs::path& before, const fs::path& file, TimeUnit unit,
 }
 
 }  // namespace
+
+std::int64_t medianStep(std::span<const std::int64_t> times) {
+  std::vector<std::int64_t> steps(times.size() - 1);
+  std::transform(times.begin() + 1, times.end(), times.begin(), steps.begin(), std::minus<>());
+  const auto median = steps.begin() + std::ssize(steps) / 2;
+  std::nth_element(steps.begin(), median, steps.end());
+  return *median;
+}
 
 std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& column,
                                     Inspection& inspection, TimeUnit unit) {

@@ -30,6 +30,9 @@ constexpr int digitsOf(TimeUnit unit) { return 9 - 3 * static_cast<int>(unit); }
 std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std::string& column,
                                     Inspection& inspection, TimeUnit unit = TimeUnit::Seconds);
 
+/// Of at least two times, ns. Half of the steps are shorter.
+std::int64_t medianStep(std::span<const std::int64_t> times);
+
 /// Sorts the files by the times that are their names (a number with sign, decimals and exponent),
 /// and returns these in ns. A name that is no time and two equal times are errors, and the median
 /// step is checked as by readTimes().

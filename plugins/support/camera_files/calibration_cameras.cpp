@@ -250,11 +250,6 @@ Pinhole checkedPinhole(const Eigen::Matrix3d& K, int line, std::string_view name
                             "row (fx 0 cx, 0 fy cy, 0 0 1); correct the calibration");
 }
 
-Eigen::Vector3d offsetOf(const Projection& P) {
-  return {(P(0, 3) - P(0, 2) * P(2, 3)) / P(0, 0), (P(1, 3) - P(1, 2) * P(2, 3)) / P(1, 1),
-          P(2, 3)};
-}
-
 FileCameras camerasIn(const Node& tree) {
   if (tree.find({"cam0"}) != nullptr) return kalibrCameras(tree);
   if (tree.find({"intrinsics"}) != nullptr) return eurocCamera(tree);

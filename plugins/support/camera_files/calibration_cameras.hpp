@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "projection.hpp"
 #include "text_tree.hpp"
 #include "tolman/camera.hpp"
 
 namespace tolman::camera_files {
 
-using Projection = Eigen::Matrix<double, 3, 4>;
+using source_parameters::Projection;
 
 struct FileCamera {
   RawCamera camera;      ///< width 0: the file does not say the size of the images
@@ -50,8 +51,5 @@ Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line);
 
 /// The numbers of the matrix `name`. Throws FileError unless it is fx 0 cx 0 fy cy 0 0 1.
 Pinhole checkedPinhole(const Eigen::Matrix3d& K, int line, std::string_view name);
-
-/// t of P = K [I | t], m: the origin of the reference in the axes of the rectified camera.
-Eigen::Vector3d offsetOf(const Projection& P);
 
 }  // namespace tolman::camera_files

@@ -2,7 +2,6 @@
 #include "camera_files.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -94,7 +93,7 @@ void prescribe(const std::vector<FileCamera>& cameras, RawRig& rig) {
   rectified.width = left.rectified_width > 0 ? left.rectified_width : left.camera.width;
   rectified.height = left.rectified_width > 0 ? left.rectified_height : left.camera.height;
   rectified.calibrated = true;
-  rectified.pinhole = {P(0, 0), P(1, 1), P(0, 2), P(1, 2)};
+  rectified.pinhole = source_parameters::pinholeOf(P);
   rig.has_rectified = true;
   if (cameras.size() == 1) return;
   const FileCamera& right = cameras[1];
@@ -104,14 +103,13 @@ void prescribe(const std::vector<FileCamera>& cameras, RawRig& rig) {
                     "the two rectified cameras have different focal lengths or centres; calibrate "
                     "them as a pair");
   }
-  constexpr double kMisaligned = 0.02;  // of the baseline; KITTI's colour pairs have 0.009
-  const Eigen::Vector3d to_right = offsetOf(P) - offsetOf(Q);
+  const Eigen::Vector3d to_right = source_parameters::offsetOf(P) - source_parameters::offsetOf(Q);
   rectified.baseline = to_right.x();
   if (rectified.baseline < 1e-3) {
     throw FileError(right.rectified_line,
                     "the right camera is not to the right of the left one; exchange the two");
   }
-  if (std::hypot(to_right.y(), to_right.z()) > kMisaligned * to_right.x()) {
+  if (!source_parameters::isBeside(to_right)) {
     throw FileError(right.rectified_line,
                     "the rectified right camera is " + shortNumber(to_right.y()) + " m below and " +
                         shortNumber(to_right.z()) +

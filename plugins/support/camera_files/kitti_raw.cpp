@@ -131,7 +131,8 @@ void checkPair(const Lines& lines, const FileCamera& left, const FileCamera& rig
                         " degrees apart, but are one rotation in a rectified pair; restore the "
                         "file");
   }
-  const Eigen::Vector3d by_P = offsetOf(*left.P_rectified) - offsetOf(*right.P_rectified);
+  const Eigen::Vector3d by_P = source_parameters::offsetOf(*left.P_rectified) -
+                               source_parameters::offsetOf(*right.P_rectified);
   const Eigen::Vector3d by_T = rectifiedOrigin(left.camera) - rectifiedOrigin(right.camera);
   if (!((by_P - by_T).norm() <= kOther * std::max(by_P.norm(), by_T.norm()))) {
     throw FileError(right.rectified_line, "P_rect" + l + " and P_rect" + r +

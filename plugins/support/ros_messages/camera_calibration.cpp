@@ -4,10 +4,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "camera_info_checks.hpp"
+#include "projection.hpp"
 
 namespace tolman::ros_messages {
 namespace {
@@ -48,8 +48,7 @@ Result<double> baselineOf(const CameraInfos& infos) {
   }
   const Eigen::Vector3d t = offsetOf(infos.left) - offsetOf(right);
   const double baseline = t.x();
-  constexpr double kMisaligned = 0.02;  // of the baseline; KITTI's colour pair has 0.005
-  const bool aligned = std::hypot(t.y(), t.z()) <= kMisaligned * std::abs(baseline);
+  const bool aligned = source_parameters::isBeside(t);
   if (baseline > 1e-3 && baseline < 5 && aligned) return baseline;  // m; chosen, not tuned
   const std::string of_left =
       infos.left.P[3] == 0 ? "" : " (left: " + shortText(infos.left.P[3]) + ")";

@@ -4,8 +4,12 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "projection.hpp"
+
 namespace tolman::ros_messages {
 namespace {
+
+using source_parameters::Projection;
 
 bool isRotation(const Eigen::Matrix3d& R) {
   // 1e-3: digits that files print.
@@ -26,10 +30,8 @@ Status checkForm(const char* name, const Eigen::Matrix3d& matrix) {
                               "give fx of rectified images");
 }
 
-using Matrix34 = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
-
-Matrix34 matrixP(const CameraInfoMessage& info) {
-  return Eigen::Map<const Matrix34>(info.P.data());
+Projection matrixP(const CameraInfoMessage& info) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(info.P.data());
 }
 
 }  // namespace
@@ -46,14 +48,11 @@ bool isTurned(const CameraInfoMessage& info) {
 bool hasP(const CameraInfoMessage& info) { return info.P[0] > 0 && info.P[5] > 0; }
 
 Pinhole pinholeOfP(const CameraInfoMessage& info) {
-  return {info.P[0], info.P[5], info.P[2], info.P[6]};
+  return source_parameters::pinholeOf(matrixP(info));
 }
 
 Eigen::Vector3d offsetOf(const CameraInfoMessage& info) {
-  if (!hasP(info)) return Eigen::Vector3d::Zero();
-  const Pinhole K = pinholeOfP(info);
-  const double z = info.P[11];
-  return {(info.P[3] - K.cx * z) / K.fx, (info.P[7] - K.cy * z) / K.fy, z};
+  return hasP(info) ? source_parameters::offsetOf(matrixP(info)) : Eigen::Vector3d::Zero().eval();
 }
 
 Status checkRotation(const CameraInfoMessage& info) {
