@@ -188,7 +188,10 @@ struct CheckSettings {
         parameter("max_acceleration", &S::max_acceleration)
             .range(0, kNoLimit)
             .unit("m/s^2")
-            .doc("Likewise a motion that changes the speed faster."),
+            .doc("Likewise a motion that changes the speed faster. Changes below 0.1 m per period "
+                 "of "
+                 "the frames (1 m/s at 10 Hz), as small position errors cause, are never "
+                 "impossible."),
         parameter("max_turn_rate", &S::max_turn_rate)
             .range(0, kNoLimit)
             .unit("rad/s")
