@@ -188,7 +188,8 @@ struct CheckSettings {
         parameter("max_acceleration", &S::max_acceleration)
             .range(0, kNoLimit)
             .unit("m/s^2")
-            .doc("Likewise a motion that changes the speed faster."),
+            .doc("Likewise a motion that changes the speed faster. Changes below 0.1 m per frame "
+                 "period (1 m/s at 10 Hz) may be position errors, and are never impossible."),
         parameter("max_turn_rate", &S::max_turn_rate)
             .range(0, kNoLimit)
             .unit("rad/s")

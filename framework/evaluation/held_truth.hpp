@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects true poses that are held: repeated bit for bit while the estimate moves on.
+// Detects true poses that do not follow the robot: held ones, jumps, and orientations that never
+// turn.
 #pragma once
 
 #include <string>
@@ -13,5 +14,14 @@ namespace tolman::evaluation {
 /// one step; else empty. A robot that stands moves neither, and interpolated poses differ. The
 /// estimate is aligned: its lengths are compared with true ones.
 std::string heldHint(const Matches& aligned);
+
+/// A warning if the truth makes a single step of 0.5 m or more (1 % of the true path where that is
+/// less) that is over three times as long as the steps before and after it, the usual ones, and
+/// that of the estimate; else empty. No vehicle moves like that. The estimate is aligned.
+std::string jumpHint(const Matches& aligned);
+
+/// A warning if all true orientations are the same although the true path bends and the estimate
+/// turns with it, by 90 degrees or more; else empty.
+std::string fixedOrientationHint(const Matches& matches);
 
 }  // namespace tolman::evaluation

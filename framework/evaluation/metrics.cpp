@@ -184,6 +184,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
     metrics.warning = axesHint(matches.value());  // before the world of inverted poses is moved
   }
   if (metrics.warning.empty()) metrics.warning = turnHint(matches.value());
+  if (metrics.warning.empty()) metrics.warning = fixedOrientationHint(matches.value());
   if (metrics.warning.empty() && alignment == Alignment::Se2) {
     metrics.warning = upHint(matches.value().truth);
     if (!metrics.warning.empty()) metrics.warning += ", or use se3; se2 leaves y out";
@@ -200,6 +201,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
   if (metrics.warning.empty()) metrics.warning = heldHint(pairs);
+  if (metrics.warning.empty()) metrics.warning = jumpHint(pairs);
   if (metrics.warning.empty()) metrics.warning = sessionFramesHint(pairs, alignment);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);

@@ -98,3 +98,63 @@ TEST_CASE("a truth at a lower rate that is interpolated, and gaps, give no hint"
   for (std::size_t i = 17; i < sessions.size(); ++i) sessions[i].session = 1;
   CHECK(hintOf(held(sessions, 10, 16), sessions).empty());
 }
+
+TEST_CASE("a single jump of the truth is detected, and one of the estimate is not") {
+  const auto jumped = [](Trajectory path, std::size_t from, double length_m) {
+    for (std::size_t i = from; i < path.size(); ++i) {
+      path[i].T_world_camera.translation().x() += length_m;
+    }
+    return path;
+  };
+  const Trajectory path = test::straightPath(60);
+  const auto hint = [](const Trajectory& truth, const Trajectory& estimate) {
+    return jumpHint(test::paired(truth, estimate));
+  };
+  CHECK_THAT(hint(jumped(path, 20, 5), path),
+             Catch::StartsWith("the truth jumps 5.1 m from frame 19 to 20, where its other steps "
+                               "have 1 m (median) and the estimate moves 1 m"));
+  CHECK(hint(jumped(path, 20, 2), path).empty());  // less than three steps
+  CHECK(hint(path, jumped(path, 20, 5)).empty());
+  CHECK(hint(jumped(path, 20, 5), jumped(path, 20, 5)).empty());
+  CHECK_THAT(scoreTrajectory(jumped(path, 20, 5), path, Alignment::Se3).warning,
+             Catch::StartsWith("the truth jumps"));
+  Trajectory lost = path;  // where tracking is lost the estimate says nothing
+  lost[20].tracked = false;
+  CHECK(hint(jumped(path, 20, 5), lost).empty());
+  Trajectory sessions = path;
+  for (std::size_t i = 20; i < sessions.size(); ++i) sessions[i].session = 1;
+  CHECK(hint(jumped(sessions, 20, 5), sessions).empty());
+}
+
+TEST_CASE("a robot that starts, stops and is noisy gives no hint of a jump") {
+  RandomStream random(6);
+  const Trajectory truth = stopAndGo(0, random);
+  for (const double noise_m : {0.0, 0.02, 0.1}) {
+    CHECK(jumpHint(test::paired(truth, stopAndGo(noise_m, random))).empty());
+    CHECK(jumpHint(test::paired(stopAndGo(noise_m, random), truth)).empty());
+  }
+  const Trajectory wandering = test::wanderingPath(200, random);
+  CHECK(jumpHint(test::paired(wandering, wandering)).empty());
+}
+
+TEST_CASE("true orientations that never turn on a path that bends are detected") {
+  Trajectory path = test::straightPath(100);  // a circle
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double angle = 0.03 * static_cast<double>(i);
+    path[i].T_world_camera.linear() =
+        Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    path[i].T_world_camera.translation() = {20 * (1 - std::cos(angle)), 0, 20 * std::sin(angle)};
+  }
+  Trajectory fixed = path;
+  for (auto& pose : fixed) pose.T_world_camera.linear().setIdentity();
+  const auto hint = [](const Trajectory& truth, const Trajectory& estimate) {
+    return fixedOrientationHint(test::paired(truth, estimate));
+  };
+  CHECK_THAT(hint(fixed, path),
+             Catch::StartsWith("all true poses have the same orientation, although their path "
+                               "bends and the estimate turns by 170 degrees"));
+  CHECK(hint(path, path).empty());
+  CHECK(hint(fixed, fixed).empty());  // a robot that drives sideways
+  CHECK(hint(test::straightPath(100), path).empty());
+  CHECK_FALSE(scoreTrajectory(fixed, path, Alignment::None).warning.empty());
+}
