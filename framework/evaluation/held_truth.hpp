@@ -16,12 +16,12 @@ namespace tolman::evaluation {
 std::string heldHint(const Matches& aligned);
 
 /// A warning if the truth makes a single step of 0.5 m or more (1 % of the true path where that is
-/// less) that is over three times as long as the steps before and after it, the usual ones, and
-/// that of the estimate; else empty. No vehicle moves like that. The estimate is aligned.
+/// less) that is over four times as long as the steps before and after it, the usual ones (rms),
+/// and that of the estimate; else empty. No vehicle moves like that. The estimate is aligned.
 std::string jumpHint(const Matches& aligned);
 
-/// A warning if all true orientations are the same although the true path bends and the estimate
-/// turns with it, by 90 degrees or more; else empty.
+/// A warning if all true orientations are the same and the estimate turns by 90 degrees or more;
+/// else empty.
 std::string fixedOrientationHint(const Matches& matches);
 
 }  // namespace tolman::evaluation
