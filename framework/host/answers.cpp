@@ -88,6 +88,10 @@ Status checkExperience(const Experience& experience, std::int64_t id, const Know
   if (experience.template_id < -1) {
     return failed("experience {} has template {}; -1 for none", id, experience.template_id);
   }
+  if (experience.template_id >= known.templates) {
+    return failed("experience {} has template {}, which no decision named", id,
+                  experience.template_id);
+  }
   return checkValues(experience);
 }
 
@@ -100,7 +104,10 @@ Status checkLink(const Link& link, std::int64_t experiences, const KnownMap& kno
     return failed("link {} was made at frame {}, which is not a past frame", link.id, link.frame);
   }
   if (Status status = checkValues(link); !status.isOk()) return status;
-  if (link.duration < 0) return failed("link {} has a duration of {} s", link.id, link.duration);
+  constexpr double kLongest = 1e9;  // s; three decades, chosen
+  if (link.duration < 0 || link.duration > kLongest) {
+    return failed("link {} has a duration of {:g} s", link.id, link.duration);
+  }
   if (link.weight < 0 || link.weight > 1) {
     return failed("link {} has a weight of {}, which is not in [0, 1]", link.id, link.weight);
   }
@@ -240,6 +247,10 @@ Status checkUpdate(const MapUpdate& update, std::int64_t last_version) {
   if (update.experience < -1 || update.experience >= update.experiences) {
     return failed("the frame is attached to experience {}, which does not exist",
                   update.experience);
+  }
+  if (update.experience == -1 && update.experiences > 0) {
+    return failed("the frame is attached to no experience, although there are {}",
+                  update.experiences);
   }
   if (update.links < 0 || update.loops < 0) return failed("a number of links is negative");
   if (update.loops <= update.links) return Status::ok();

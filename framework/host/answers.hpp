@@ -46,6 +46,7 @@ struct KnownMap {
   std::int64_t experiences = -1;          ///< at the last update; -1: not known
   std::int64_t links = -1;                ///< the same; includes rejected links
   std::int64_t loops = -1;                ///< the same
+  std::int64_t templates = INT64_MAX;     ///< that decisions named; INT64_MAX: not known
 };
 
 /// Checks ids, frames and values of experiences and links, and that they agree with `known`.

@@ -190,16 +190,20 @@ Status CellsStage::step(const Motion& motion, const PlaceObservation& observatio
 }
 
 Status MapStage::update(const Motion& motion, const Decision& decision, MapUpdate& update) {
+  if (motion.frame == 0) known_.templates = 0;  // a map with an earlier session may know others
+  known_.templates = std::max(known_.templates, decision.template_id + 1);
+  const std::int64_t templates = known_.templates;
   const Status answered = call("update", motion.frame, [&](Map& map) {
     Status status = map.update(motion, decision, update);
     if (status.isOk()) status = checkAnswer(motion, update);
     return status.isOk() ? checkUpdate(update, known_.version) : status;
   });
   if (answered.isOk()) {
-    known_ = {motion.frame, update.version, update.experiences, update.links, update.loops};
+    known_ = {motion.frame, update.version, update.experiences,
+              update.links, update.loops,   templates};
     last_ = update;
   } else {  // the map may have changed, and this frame may have no record
-    known_ = {.newest_frame = known_.newest_frame};
+    known_ = {.newest_frame = known_.newest_frame, .templates = templates};
     last_.reset();
   }
   return answered;

@@ -184,6 +184,7 @@ bool Chain::runMap(FrameRecords& records) {
     records.map.T_world_camera = last_map_.T_world_camera * step;
   } else {
     ++mapped_;
+    path_check_.add(records.motion);
   }
   publishGraph(records);
   last_map_ = records.map;
@@ -318,6 +319,9 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
 /// frames that were attached to an experience by it.
 void Chain::publishTrajectory(std::vector<FramePose>& poses) {
   (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
+  if (const auto problem = path_check_.contradiction(poses)) {
+    listener_.onEvent({-1, LogLevel::Warning, "map", *problem});
+  }
   const Status published = listener_.onTrajectory(poses);
   if (!published.isOk()) fail(Role::Observer, published);
 }

@@ -12,6 +12,7 @@
 #include "pipeline/failure_tally.hpp"
 #include "pipeline/frame_records.hpp"
 #include "pipeline/listener.hpp"
+#include "pipeline/path_check.hpp"
 #include "pipeline/rectified_source.hpp"
 #include "pipeline/run_counters.hpp"
 #include "pipeline/scale_check.hpp"
@@ -149,6 +150,7 @@ class Chain {
   std::optional<Status> input_failure_;
   FailureTally failures_;  // by role
   ScaleCheck scale_check_;
+  PathCheck path_check_;
   std::int64_t last_skipped_frame_ = -1;
   mutable std::mutex failure_mutex_;
   Motion last_motion_;

@@ -41,6 +41,10 @@ std::vector<std::string> SourceNotes::atEnd(bool told_truth) const {
         "told that frames come with true poses, and none of {} did; errors are not measured",
         frames_));
   }
+  if (true_poses_ > 0 && 2 * true_poses_ < frames_) {
+    notes.push_back(fmt::format("only {} of {} frames have true poses; errors are of these alone",
+                                true_poses_, frames_));
+  }
   if (steps_ns_.empty()) return notes;
   const double usual_s = 1e-9 * static_cast<double>(usualStep());
   if (usual_s > kImpossible_s) {

@@ -174,6 +174,9 @@ TEST_CASE("an update is attached to a known experience, its version does not dec
   MapUpdate update;
   update.experiences = 2;
   update.version = 3;
+  CHECK(checkUpdate(update, 3).message() ==
+        "the frame is attached to no experience, although there are 2");
+  update.experience = 1;
   CHECK(checkUpdate(update, 3).isOk());
   CHECK(checkUpdate(update, 4).message() == "the version of the map decreased");
   update.experience = 2;
@@ -230,6 +233,8 @@ TEST_CASE("links have a duration, a weight and a covariance, rejected ones are l
   CHECK(message().empty());
   link.duration = -2;
   CHECK(message() == "link 0 has a duration of -2 s");
+  link.duration = 1e50;
+  CHECK(message() == "link 0 has a duration of 1e+50 s");
   link.duration = 0;
   link.weight = 1.5;
   CHECK(message() == "link 0 has a weight of 1.5, which is not in [0, 1]");
@@ -246,6 +251,11 @@ TEST_CASE("links have a duration, a weight and a covariance, rejected ones are l
   graph.rejected.clear();
   graph.experiences[1].template_id = -50;
   CHECK(message() == "experience 1 has template -50; -1 for none");
+  graph.experiences[1].template_id = 3;
+  CHECK(message().empty());  // of an earlier session, perhaps
+  CHECK(checkGraph(graph, {.newest_frame = 1, .templates = 4}).isOk());
+  CHECK(checkGraph(graph, {.newest_frame = 1, .templates = 3}).message() ==
+        "experience 1 has template 3, which no decision named");
 }
 
 TEST_CASE("a graph is that of the last update") {

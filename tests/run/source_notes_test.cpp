@@ -56,5 +56,8 @@ TEST_CASE("a truth that was told and never came is told") {
   CHECK(notes.atEnd(true)[0] ==
         "told that frames come with true poses, and none of 3 did; errors are not measured");
   (void)notes.add(at(9 * kSecond, true));
+  CHECK(notes.atEnd(true) ==
+        std::vector<std::string>{"only 1 of 4 frames have true poses; errors are of these alone"});
+  for (int i = 10; i < 12; ++i) (void)notes.add(at(i * kSecond, true));
   CHECK(notes.atEnd(true).empty());
 }
