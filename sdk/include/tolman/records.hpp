@@ -301,7 +301,7 @@ struct MapUpdate {
   static constexpr const char* kRecord = "map_update";
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
-  std::int64_t experience = -1;  ///< the experience to which this frame is attached; -1: none yet
+  std::int64_t experience = -1;  ///< the experience to which this frame is attached
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< current estimate
   std::int64_t version = 0;      ///< increases with every correction of earlier poses
