@@ -10,6 +10,7 @@
 #include <string>
 
 #include "host/guard.hpp"
+#include "host/own_libraries.hpp"
 #include "host/schema.hpp"
 #include "tolman/plugin.hpp"
 
@@ -89,6 +90,7 @@ OrRefusal<LoadedPlugin> describe(const Manifest& manifest, const PluginDescripto
   }
   try {
     LoadedPlugin plugin{manifest, &descriptor, descriptor.schema()};
+    plugin.manifest.program_files = ownLibraries(manifest.file);
     if (auto refusal = checkSchema(manifest, plugin.schema)) return *refusal;
     return plugin;
   } catch (const std::exception& error) {

@@ -29,7 +29,9 @@ struct Manifest {
   /// Of an interpreter (tolman/plugin.hpp), else empty: the suffix of the programs that it runs.
   std::string programs;
   std::filesystem::path program;  ///< absolute path of the program; its role is known when open
-  std::vector<std::string> program_files;  ///< other files of the program; known when open
+  /// Other files that it consists of, known when open: modules of a program, and shared libraries
+  /// that a library brings along.
+  std::vector<std::string> program_files;
 
   bool hasExtra(std::string_view name) const {
     return std::find(extras.begin(), extras.end(), name) != extras.end();

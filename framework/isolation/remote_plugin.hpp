@@ -12,6 +12,7 @@
 
 #include "host/manifest.hpp"
 #include "isolation/context_message.hpp"
+#include "isolation/opened_files.hpp"
 #include "isolation/process_handle.hpp"
 
 namespace tolman::isolation {
@@ -60,6 +61,7 @@ class RemotePlugin {
     launch_.program = manifest_.program.string();
   }
   std::optional<host::Refusal> load();
+  std::optional<host::Refusal> checkFiles();
   host::Refusal diedWhenOpened(const std::string& why) const;
   Status exchange(Call call, const ProcessHandle::Write& write, const ProcessHandle::Read& read);
   bool canRestart() const;
@@ -71,6 +73,7 @@ class RemotePlugin {
 
   host::Manifest manifest_;
   LaunchOptions launch_;
+  std::vector<OpenedFile> files_;  ///< as the first process opened them
   Schema schema_;
   std::unique_ptr<ProcessHandle> process_;
   bool created_ = false;

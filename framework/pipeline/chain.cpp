@@ -345,6 +345,7 @@ void Chain::completeCounters() {
          "frames were dropped: the .kitti files repeat the pose before them, the .tum "
          "files leave them out"});
   }
+  if (failed()) return;  // that is why there was no motion, or no more of it
   if (const std::string_view cause = counters_.endText(); !cause.empty()) {
     listener_.onEvent({-1, LogLevel::Warning, "odometry", std::string(cause)});
   }

@@ -42,6 +42,10 @@ Json pluginOf(const Json& run_file, Role role) {
 
 std::vector<std::string> changedProgramFiles(const Json& before, const Json& now) {
   std::vector<std::string> changed;
+  const Json library = valueAt(now, "file");
+  if (library.is_string() && valueAt(before, "sha256") != valueAt(now, "sha256")) {
+    changed.push_back(library.get<std::string>());
+  }
   const Json program = valueAt(now, "program");
   if (program.is_string() && valueAt(before, "program_sha256") != valueAt(now, "program_sha256")) {
     changed.push_back(program.get<std::string>());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What plugins in a script language are made of, compared between two run.json.
+// The files that plugins are made of, compared between two run.json.
 #pragma once
 
 #include <initializer_list>
@@ -11,9 +11,9 @@
 
 namespace tolman::run {
 
-/// Files of the program of one plugin that have other contents, or are imported in only one of the
-/// runs (whatever their folder): the program itself, and the modules that it imports. `before` and
-/// `now` are entries of "plugins" in run.json.
+/// Files of one plugin that have other contents, or are used in only one of the runs (whatever
+/// their folder): its library, its program, the modules that this imports, and libraries that it
+/// brings along. `before` and `now` are entries of "plugins" in run.json.
 std::vector<std::string> changedProgramFiles(const nlohmann::ordered_json& before,
                                              const nlohmann::ordered_json& now);
 

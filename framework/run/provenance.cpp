@@ -92,9 +92,9 @@ Json pluginList(const CheckedSystem& system) {
     if (!manifest.program.empty()) {
       entry["program"] = manifest.program.string();
       entry["program_sha256"] = digestOf(manifest.program);
-      for (const std::string& file : manifest.program_files) {
-        entry["program_files"][file] = digestOf(file);
-      }
+    }
+    for (const std::string& file : manifest.program_files) {
+      entry["program_files"][file] = digestOf(file);
     }
     list.push_back(std::move(entry));
   }

@@ -55,10 +55,17 @@ void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_j
   refuseChanged(path, run, "put them back");
 }
 
-/// Refuses to resume a run if the programs of its stages, or modules that they import, have
-/// changed: the saved states are theirs. Observers start again, so they may be others.
+/// Refuses to resume a run with another version of this program, or if the files of the plugins of
+/// its stages have changed: the saved states are theirs. Observers start again, so they may be
+/// others.
 void refuseOtherPrograms(const std::filesystem::path& run, const nlohmann::ordered_json& before,
                          const nlohmann::ordered_json& now) {
+  constexpr const char* kHost = "tolman";
+  if (before.contains(kHost) && nlohmann::json(before[kHost]) != nlohmann::json(now[kHost])) {
+    refuseToContinue((run / "run.json").string() + ": the run was begun by another version of " +
+                     "tolman (" + before[kHost].dump() + ", this is " + now[kHost].dump() +
+                     "); resume it with that one, or run it again");
+  }
   const std::vector<std::string> changed = changedProgramFiles(
       before, now, {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map});
   if (!changed.empty()) refuseChanged(changed.front(), run, "put it back");

@@ -211,6 +211,41 @@ TEST_CASE("a log that is removed while the run goes on is told at its end") {
   CHECK(contains(finished.err, "log.txt: was removed while the run was going"));
 }
 
+TEST_CASE("a run is not resumed with another build of a plugin, or of a library that it brings") {
+  TinyRun run;
+  const fs::path folder = run.folder.path() / "plugins";
+  fs::copy(inBuild("tests/fixtures/plugins/brings_library"), folder);
+  run.plugins = joined(run.plugins, {"--plugin-path", folder.string()});
+  run.words = joined(run.words,
+                     {"--plugin-path", folder.string(), "--set", "odometry.plugin=brings_library"});
+  signalled(run.words, run.out, SIGKILL, 8);
+  for (const char* name : {"tolman_odometry_brings_library.so", "libtolman_brought.so"}) {
+    const fs::path file = folder / name;
+    fs::copy(file, run.folder.path() / "first.so");
+    fs::copy(file, run.folder.path() / "second.so");
+    std::ofstream(run.folder.path() / "second.so", std::ios::app) << "built again";
+    fs::rename(run.folder.path() / "second.so", file);
+    const auto before = filesOf(run.out);
+    const Finished refused = tolman::test::tolman(run.resume());
+    CHECK(refused.exit_code == 9);
+    CHECK(contains(refused.err, file.string() + ": has other contents than when the run began"));
+    CHECK(filesOf(run.out) == before);
+    fs::rename(run.folder.path() / "first.so", file);
+  }
+  auto json = readJson(run.out / "run.json");
+  const auto kept = json["tolman"];
+  json["tolman"]["revision"] = "0123456789ab";
+  std::ofstream(run.out / "run.json") << json;
+  const Finished refused = tolman::test::tolman(run.resume());
+  CHECK(refused.exit_code == 9);
+  CHECK(contains(refused.err, "the run was begun by another version of tolman"));
+  json["tolman"] = kept;
+  std::ofstream(run.out / "run.json") << json;
+  const Finished resumed = tolman::test::tolman(run.resume());
+  INFO(resumed.err);
+  CHECK(resumed.exit_code == 0);
+}
+
 TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it is") {
   const TinyRun run;
   signalled(run.words, run.out, SIGKILL, 8);

@@ -19,9 +19,10 @@ isolation::LaunchOptions launch(double deadline_s = 60, std::uint64_t memory_mib
   return {{inBuild("bin/tolman"), "run-stage"}, deadline_s, memory_mib, 1};
 }
 
-host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> start(
-    const std::string& library, const std::string& id, const isolation::LaunchOptions& how) {
-  auto manifests = host::readManifests(fixtureFile(library));
+host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> startFrom(
+    const std::filesystem::path& library, const std::string& id,
+    const isolation::LaunchOptions& how) {
+  auto manifests = host::readManifests(library);
   REQUIRE(std::holds_alternative<std::vector<host::Manifest>>(manifests));
   for (const auto& manifest : std::get<std::vector<host::Manifest>>(manifests)) {
     if (manifest.id == id) return isolation::RemotePlugin::start(manifest, how);
@@ -30,19 +31,31 @@ host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> start(
   return host::Refusal{};
 }
 
+host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> start(
+    const std::string& library, const std::string& id, const isolation::LaunchOptions& how) {
+  return startFrom(fixtureFile(library), id, how);
+}
+
 /// A stage of a fixture plugin in its own process, configured.
 template <class Stage>
 struct Isolated {
   Isolated(const std::string& library, const std::string& id,
-           const isolation::LaunchOptions& how = launch(), bool restart = false) {
-    auto started = start(library, id, how);
-    REQUIRE(std::holds_alternative<std::shared_ptr<isolation::RemotePlugin>>(started));
-    remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(started);
+           const isolation::LaunchOptions& how = launch(), bool restart = false)
+      : Isolated(started(library, id, how), restart) {}
+  Isolated(std::shared_ptr<isolation::RemotePlugin> plugin, bool restart)
+      : remote(std::move(plugin)) {
     auto created = isolation::instantiate(remote, "stage");
     REQUIRE(std::holds_alternative<std::unique_ptr<host::Instance>>(created));
     stage = std::make_unique<Stage>(std::move(std::get<std::unique_ptr<host::Instance>>(created)));
     if (restart) REQUIRE(remote->enableRestart());
     REQUIRE(stage->instance().configure(context).isOk());
+  }
+  static std::shared_ptr<isolation::RemotePlugin> started(const std::string& library,
+                                                          const std::string& id,
+                                                          const isolation::LaunchOptions& how) {
+    auto started = start(library, id, how);
+    REQUIRE(std::holds_alternative<std::shared_ptr<isolation::RemotePlugin>>(started));
+    return std::get<std::shared_ptr<isolation::RemotePlugin>>(started);
   }
   TestContext context;
   std::shared_ptr<isolation::RemotePlugin> remote;
@@ -207,6 +220,25 @@ TEST_CASE("a restarted place recognition has its state, except for the frame of 
   }
   CHECK(crashing.context.log ==
         std::vector<std::string>{"a new process was started (restart 1 of 10)"});
+}
+
+TEST_CASE("a plugin whose library was replaced meanwhile is not started again") {
+  const TemporaryFolder folder;
+  const auto library = folder.path() / "tolman_place_dies_once.so";
+  std::filesystem::copy_file(fixtureFile("role_faults"), library);
+  auto started = startFrom(library, "dies_often", launch());
+  auto& remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(started);
+  Isolated<host::PlaceStage> crashing(remote, true);
+  std::filesystem::copy_file(library, folder.path() / "built.so");
+  std::filesystem::rename(folder.path() / "built.so", library);
+  Status status;
+  for (std::int64_t k = 0; k < 4; ++k) {
+    PlaceObservation seen;
+    status = crashing.stage->observe(frameAt(k), nullptr, seen);
+  }
+  CHECK(
+      status.message().find(library.string() + ": has changed since the plugin was first opened") !=
+      std::string::npos);
 }
 
 TEST_CASE("the number of restarts is limited") {

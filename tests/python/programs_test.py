@@ -171,10 +171,13 @@ class ProgramsTest(Systems):
         self.assertIn(f"plugins: {other} has other contents", self.rerun())
 
     def with_helper(self):
-        """The modules that other.py imports: a helper, and one of a package."""
-        (self.folder / "parts").mkdir()
-        self.write("other.py", CELLS.replace("import math", "import math\n    import gains\n    from parts import inner", 1))
-        return self.write("gains.py", "DOUBLE = 2\n"), self.write("parts/inner.py", "HALF = 0.5\n")
+        """The modules that other.py imports: a helper, one of a package, and one of another folder."""
+        for name in ("parts", "common"):
+            (self.folder / name).mkdir()
+        imports = ["import math", "import sys", "import gains", "from parts import inner",
+                   f"sys.path.insert(0, {str(self.folder / 'common')!r})", "import shared"]
+        self.write("other.py", CELLS.replace("import math", "\n    ".join(imports), 1))
+        return self.write("gains.py", "DOUBLE = 2\n"), self.write("parts/inner.py", "HALF = 0.5\n"), self.write("common/shared.py", "ONE = 1\n")
 
     def test_a_run_whose_program_imports_other_modules_is_not_resumed(self):
         helpers = self.with_helper()
@@ -207,7 +210,7 @@ class ProgramsTest(Systems):
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
 
     def test_a_session_that_continues_with_another_program_is_warned_of(self):
-        helper, _ = self.with_helper()
+        helper, *_ = self.with_helper()
         monday, cells = self.folder / "monday", "{plugin: python, file: other.py}"
         self.assertEqual(self.run_system(out="monday", cells=cells).returncode, 0)
         same = self.run_system("--continue", monday, out="same", cells=cells)

@@ -35,6 +35,21 @@ TEST_CASE("a program and its modules are compared, also modules of one run only"
   CHECK(changed(runOf(modules), runOf({})) == Names{"/a/x.py", "/a/y.py"});
 }
 
+TEST_CASE("a library, and those that it brings along, are compared by their contents") {
+  const auto run = [](const char* file, const char* digest, const char* brought) {
+    return Json{{"plugins",
+                 {{{"role", "cells"},
+                   {"file", file},
+                   {"sha256", digest},
+                   {"program_files", {{"/a/libhelper.so", brought}}}}}}};
+  };
+  const Json before = run("/a/cells.so", "1", "2");
+  CHECK(changed(before, before).empty());
+  CHECK(changed(before, run("/b/cells.so", "1", "2")).empty());
+  CHECK(changed(before, run("/a/cells.so", "9", "2")) == Names{"/a/cells.so"});
+  CHECK(changed(before, run("/a/cells.so", "1", "9")) == Names{"/a/libhelper.so"});
+}
+
 TEST_CASE("modules that are installed elsewhere are the same") {
   CHECK(changed(runOf({{"/a/x.py", "2"}}), runOf({{"/b/x.py", "2"}})).empty());
   CHECK(changed(runOf({{"/a/x.py", "2"}}), runOf({{"/b/x.py", "9"}})) ==

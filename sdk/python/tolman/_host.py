@@ -5,6 +5,7 @@ import inspect
 import pathlib
 import re
 import sys
+import sysconfig
 import traceback
 import types
 
@@ -47,14 +48,16 @@ def _require_text(source):
 
 
 def _files(program):
-    """What it imported from its own folder and from this package. Libraries in a virtual environment are left out."""
+    """What it imported from this package and from anywhere but the folders of Python and of installed packages."""
     own, package = program.resolve(), pathlib.Path(__file__).resolve().parent
     names = [vars(module).get("__file__") for module in list(sys.modules.values()) if isinstance(module, types.ModuleType)]
     files = {pathlib.Path(name).resolve() for name in names if isinstance(name, str) and "\0" not in name}
 
+    installed = {pathlib.Path(folder).resolve() for folder in (sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib"))}
+
     def counts(file):
-        inside = own.parent in file.parents and "site-packages" not in file.relative_to(own.parent).parts
-        return file.is_file() and file != own and (inside or package in file.parents)
+        foreign = not installed.isdisjoint(file.parents) or not {"site-packages", "dist-packages"}.isdisjoint(file.parts)
+        return file.is_file() and file != own and (not foreign or package in file.parents)
 
     return sorted(str(file) for file in files if counts(file))
 
