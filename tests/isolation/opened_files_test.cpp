@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "support/paths.hpp"
+#include "support/data.hpp"
 
 using namespace tolman;
 using namespace tolman::isolation;
@@ -17,7 +17,7 @@ void write(const fs::path& file, const std::string& text) { std::ofstream(file) 
 }  // namespace
 
 TEST_CASE("a plugin's library, program and other files are compared") {
-  const test::TemporaryFolder folder;
+  const tolman::test::TemporaryFolder folder;
   host::Manifest manifest;
   manifest.file = folder.path() / "plugin.so";
   manifest.program = folder.path() / "cells.py";
@@ -41,7 +41,7 @@ TEST_CASE("a plugin's library, program and other files are compared") {
 }
 
 TEST_CASE("a file that only one process opened is a change") {
-  const test::TemporaryFolder folder;
+  const tolman::test::TemporaryFolder folder;
   host::Manifest manifest;
   manifest.file = folder.path() / "plugin.so";
   write(manifest.file, "1");

@@ -8,6 +8,7 @@
 #include "host/stages.hpp"
 #include "isolation/remote_roles.hpp"
 #include "support/context.hpp"
+#include "support/data.hpp"
 #include "support/paths.hpp"
 
 using namespace tolman;
