@@ -168,7 +168,8 @@ struct ToyMap : Map, ToyState<double> {
     update.stamp_ns = motion.stamp_ns;
     update.experience = decision.experience;
     value += motion.v;
-    update.T_world_camera.translation().z() = z[motion.frame] = value;
+    // Shorter than the path of odometry: it says which motions were taken, and is no position.
+    update.T_world_camera.translation().z() = z[motion.frame] = 1e-6 * value;
     update.T_experience_camera = update.T_world_camera;  // of the first, at the origin
     experiences = hooks.map_grows ? motion.frame + 1 : 1;
     update.experiences = experiences;
