@@ -100,8 +100,11 @@ std::optional<host::Refusal> RemotePlugin::load() {
 /// A run is of one version of the plugin, that of its run.json, also if a process is started again.
 std::optional<host::Refusal> RemotePlugin::checkFiles() {
   std::vector<OpenedFile> now = openedFiles(manifest_);
-  if (files_.empty()) files_ = std::move(now);
-  const auto changed = now.empty() ? std::nullopt : changedFile(files_, now);
+  if (files_.empty()) {
+    files_ = std::move(now);
+    return std::nullopt;
+  }
+  const auto changed = changedFile(files_, now);
   if (!changed) return std::nullopt;
   return host::Refusal{kChanged,
                        changed->string() + ": has changed since the plugin was first opened",
