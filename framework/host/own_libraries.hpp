@@ -9,9 +9,8 @@
 namespace tolman::host {
 
 /// Files of the libraries that `library`, which must be open in this process, is linked with,
-/// directly or by one of them, sorted. Those in the folders of the system are left out: packages
-/// own them, and run.json has the versions that matter. Libraries that a plugin opens itself by
-/// dlopen() are not known.
+/// directly or by one of them, sorted. Those in the folders of the system are left out, because
+/// packages own them. Libraries that a plugin opens itself by dlopen() are not known.
 std::vector<std::string> ownLibraries(const std::filesystem::path& library);
 
 }  // namespace tolman::host
