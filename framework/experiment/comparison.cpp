@@ -357,8 +357,10 @@ class Comparer {
   }
 
   void noteFewSamples() {
-    const std::string text = fewSamplesNote(sequenceCount(), fewest_);
-    if (!text.empty()) note(text);
+    for (const std::string& text :
+         {fewSamplesNote(sequenceCount(), fewest_), sameTruthNote(rows_)}) {
+      if (!text.empty()) note(text);
+    }
   }
 
   /// Sorts by number if all first labels are numbers.

@@ -51,6 +51,24 @@ std::string fewSamplesNote(std::size_t sequences, std::size_t seeds) {
       least);
 }
 
+std::string sameTruthNote(const std::vector<RunRow>& rows) {
+  std::map<std::string, std::set<std::string>> sequences;  // by true path
+  for (const RunRow& row : rows) {
+    if (!row.truth.empty()) sequences[row.truth].insert(row.label("sequence"));
+  }
+  for (const auto& [truth, of] : sequences) {
+    if (of.size() < 2) continue;
+    std::vector<std::string> names;
+    for (const std::string& name : of) names.push_back("'" + name + "'");
+    return fmt::format(
+        "Of one true path are the sequences {}. Intervals and p count them as independent, "
+        "which drives over one path are not if they have the same images: leave all but one out "
+        "with --only, unless they were recorded at different times.",
+        config::listed(names));
+  }
+  return "";
+}
+
 std::string unevenRunsNote(const std::vector<std::string>& levels) {
   return fmt::format(
       "In {} sequences or seeds have different numbers of runs. Mean, median and sd weigh all runs "

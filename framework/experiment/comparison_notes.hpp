@@ -18,6 +18,10 @@ std::vector<std::string> factorsWithoutEffect(const std::vector<RunRow>& rows);
 /// sequence: the smallest possible p is 2 / 2^n. Empty if that is below 0.05.
 std::string fewSamplesNote(std::size_t sequences, std::size_t seeds);
 
+/// A warning about sequences that have one true path, such as one drive with two settings; empty if
+/// all differ. Test and bootstrap take them for independent.
+std::string sameTruthNote(const std::vector<RunRow>& rows);
+
 /// A note on levels whose mean and interval weigh the runs differently.
 std::string unevenRunsNote(const std::vector<std::string>& levels);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -138,6 +139,10 @@ std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t
     const auto number = config::readReal(fields[k]);
     if (!number.isOk()) {
       return fmt::format("line {}, {}: '{}' is no number", line, names[k], fields[k]);
+    }
+    constexpr double kLargest = 1e100;  // sums of squares must be finite
+    if (std::abs(number.value()) > kLargest) {
+      return fmt::format("line {}, {}: {} is too large for a figure", line, names[k], fields[k]);
     }
     if (number.value() < 0 && isErrorSize(names[k])) {
       return fmt::format("line {}, {}: an error of {} is below 0", line, names[k], fields[k]);

@@ -248,10 +248,6 @@ Status checkUpdate(const MapUpdate& update, std::int64_t last_version) {
     return failed("the frame is attached to experience {}, which does not exist",
                   update.experience);
   }
-  if (update.experience == -1 && update.experiences > 0) {
-    return failed("the frame is attached to no experience, although there are {}",
-                  update.experiences);
-  }
   if (update.links < 0 || update.loops < 0) return failed("a number of links is negative");
   if (update.loops <= update.links) return Status::ok();
   return failed("{} loops of {} links", update.loops, update.links);

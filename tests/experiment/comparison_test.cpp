@@ -178,6 +178,22 @@ TEST_CASE("copies of one drive are not independent sequences") {
   CHECK(compareRuns(all, {}).isOk());
 }
 
+TEST_CASE("sequences with one true path are told") {
+  const auto notes = [](const std::vector<RunRow>& all) {
+    const auto compared = compareRuns(all, {});
+    REQUIRE(compared.isOk());
+    return std::ranges::count_if(compared.value().notes, [](const std::string& text) {
+      return text.starts_with("Of one true path are the sequences 'a', 'b'.");
+    });
+  };
+  std::vector<RunRow> all = rows();
+  CHECK(notes(all) == 0);
+  for (RunRow& r : all) r.truth = "truth of one drive";
+  CHECK(notes(all) == 1);
+  for (RunRow& r : all) r.truth.clear();
+  CHECK(notes(all) == 0);
+}
+
 TEST_CASE("drifts over segments of different lengths are not averaged") {
   std::vector<RunRow> all = rows();
   for (RunRow& r : all) {
