@@ -174,6 +174,8 @@ TEST_CASE("a table of runs is read as it was written") {
       refusal().ends_with("its first line has no alignment, truth and results after the factors"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2,t,r,1\na,b,se2,t,r,nan\n";
   CHECK(refusal().ends_with("line 3, ate: 'nan' is no number"));
+  std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2,t,r,1e308\n";
+  CHECK(refusal().ends_with("line 2, ate: 1e308 is too large for a figure"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2\n";
   CHECK(refusal().ends_with("line 2 has 3 fields, the first 6"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate,ate\na,b,se2,t,r,1,2\n";
