@@ -59,6 +59,7 @@ std::string sameTruthNote(const std::vector<RunRow>& rows) {
   for (const auto& [truth, of] : sequences) {
     if (of.size() < 2) continue;
     std::vector<std::string> names;
+    names.reserve(of.size());
     for (const std::string& name : of) names.push_back("'" + name + "'");
     return fmt::format(
         "Of one true path are the sequences {}. Intervals and p count them as independent, "

@@ -86,6 +86,7 @@ Result<RunRow> readRun(const fs::path& directory) {
 /// Keys of the configurations that are not the same in all runs become factors.
 void addConfigFactors(std::vector<RunRow*>& rows) {
   std::vector<config::Node> trees;
+  trees.reserve(rows.size());
   for (const RunRow* row : rows) {
     trees.push_back(
         config::load(row->directory / "config.resolved.yaml", {}, [](const std::string&) {
@@ -93,6 +94,7 @@ void addConfigFactors(std::vector<RunRow*>& rows) {
         }).tree);
   }
   std::vector<const config::Node*> pointers;
+  pointers.reserve(trees.size());
   for (const config::Node& tree : trees) pointers.push_back(&tree);
   for (const config::Difference& difference : config::differencesOf(pointers)) {
     if (difference.key == "threads" || difference.key == "name") continue;
