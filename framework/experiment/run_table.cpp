@@ -125,6 +125,25 @@ bool isErrorSize(const std::string& metric) {
   return metric.find(".ate") != std::string::npos || metric.find(".rpe.") != std::string::npos;
 }
 
+/// Whether an error lies between the smallest and the largest of its kind, as far as the row has
+/// them: "map.ate.rmse_m", "map.ate.min_m" and "map.ate.max_m".
+bool isWithinExtremes(const std::string& metric, const std::map<std::string, double>& metrics) {
+  constexpr double kRounding = 1e-9;  // of sums over many poses
+  for (const std::string kind : {".rmse_", ".mean_", ".median_"}) {
+    const std::size_t at = metric.find(kind);
+    if (at == std::string::npos) continue;
+    const std::string before = metric.substr(0, at);
+    const std::string unit = metric.substr(at + kind.size());
+    const double value = metrics.at(metric);
+    const auto least = metrics.find(before + ".min_" + unit);
+    const auto most = metrics.find(before + ".max_" + unit);
+    const bool is_low = least != metrics.end() && value < least->second * (1 - kRounding);
+    const bool is_high = most != metrics.end() && value > most->second * (1 + kRounding);
+    return !is_low && !is_high;
+  }
+  return true;
+}
+
 /// Fills `row` from line number `line`. Returns what is wrong with it; empty if nothing is.
 std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t factors,
                         std::size_t line, RunRow& row) {
@@ -150,6 +169,12 @@ std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t
       return fmt::format("line {}, {}: an error of {} is below 0", line, names[k], fields[k]);
     }
     row.metrics[names[k]] = number.value();
+  }
+  for (const auto& [metric, value] : row.metrics) {
+    if (!isErrorSize(metric) || isWithinExtremes(metric, row.metrics)) continue;
+    return fmt::format(
+        "line {}, {}: {:g} is not between the smallest and the largest of its errors", line, metric,
+        value);
   }
   return "";
 }

@@ -176,6 +176,10 @@ TEST_CASE("a table of runs is read as it was written") {
   CHECK(refusal().ends_with("line 3, ate: 'nan' is no number"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2,t,r,1e308\n";
   CHECK(refusal().ends_with("line 2, ate: 1e308 is too large for a figure"));
+  std::ofstream(file) << "name,model,alignment,truth,results,map.ate.min_m,map.ate.rmse_m,"
+                         "map.ate.max_m\na,b,se2,t,r,0.1,0.5,1\na,b,se2,t,r,0.1,0.001,1\n";
+  CHECK(refusal().ends_with(
+      "line 3, map.ate.rmse_m: 0.001 is not between the smallest and the largest of its errors"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2\n";
   CHECK(refusal().ends_with("line 2 has 3 fields, the first 6"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate,ate\na,b,se2,t,r,1,2\n";
