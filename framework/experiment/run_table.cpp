@@ -74,6 +74,11 @@ Result<RunRow> readRun(const fs::path& directory) {
   if (run.is_object()) {
     flatten(run.value("finish_s", Json()), "finish_s", row.metrics);
     flatten(run.value("exit_code", Json()), "exit_code", row.metrics);
+    const Json config = run.value(record::kConfigDigest, Json());
+    if (config.is_string() && fs::exists(directory / "config.resolved.yaml", error)) {
+      const Status status = record::checkConfig(directory, config.get<std::string>());
+      if (!status.isOk()) return status;
+    }
   }
   row.alignment = metrics.value("alignment", "");
   const auto truth = metrics.find("truth_sha256");

@@ -22,15 +22,15 @@ namespace tolman::run {
 namespace {
 
 constexpr const char* kResolvedConfig = "config.resolved.yaml";
-constexpr const char* kConfigDigest = "config_sha256";
+using record::kConfigDigest;
 
 /// Refuses to resume a run whose config.resolved.yaml was changed since it was written.
 void refuseOtherConfig(const std::filesystem::path& run, const nlohmann::ordered_json& run_file) {
   const auto recorded = run_file.find(kConfigDigest);
-  const auto digest = record::fileDigest(run / kResolvedConfig);
-  if (recorded == run_file.end() || (digest.isOk() && *recorded == digest.value())) return;
-  refuseToContinue((run / kResolvedConfig).string() +
-                   ": has changed since the run was recorded; put it back, or run it again");
+  if (recorded == run_file.end()) return;
+  const Status status =
+      record::checkConfig(run, recorded->is_string() ? recorded->get<std::string>() : "");
+  if (!status.isOk()) refuseToContinue(status.message());
 }
 
 [[noreturn]] void refuseChanged(const std::string& path, const std::filesystem::path& run,

@@ -169,6 +169,12 @@ class ProgramsTest(Systems):
         self.assertIn(f"plugins: {gains} has other contents", self.rerun())
         other.write_text(other.read_text() + "\n# edited\n")
         self.assertIn(f"plugins: {other} has other contents", self.rerun())
+        config = self.folder / "run/config.resolved.yaml"
+        config.write_text(config.read_text() + "# edited\n")
+        self.assertIn("config.resolved.yaml: has changed since the run was recorded", self.rerun())
+        compared = tolman("compare", self.folder / "run")
+        self.assertEqual(compared.returncode, 5, compared.stdout)
+        self.assertIn("config.resolved.yaml: has changed since the run was recorded", compared.stderr)
 
     def with_helper(self):
         """The modules that other.py imports: a helper, one of a package, and one of another folder."""
