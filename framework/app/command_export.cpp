@@ -176,7 +176,7 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
     printFiles(written, invocation);
     if (asked->nwb || asked->npz) warnOfLaterState(*reader, asked->run);
     warnOfChangedRecord(*reader);
-    warnOfRunFile(asked->run);
+    warnOfRunFiles(asked->run);
   });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");

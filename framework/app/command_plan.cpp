@@ -204,7 +204,7 @@ void run(const RouteOptions& options, const Invocation& invocation) {
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
   warnOfChangedRecord(*reader, kTablesOfRoute);
-  warnOfRunFile(options.run);
+  warnOfRunFiles(options.run);
   warnOfFarPlaces(plan, graph);
   if (invocation.json) {
     std::cout << jsonText(toJson(plan, graph));

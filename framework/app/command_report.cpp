@@ -79,7 +79,7 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
     printFiles(valueOrEnd(run::writeReport(readers, folder, units->choice())), invocation);
     for (const auto& reader : readers) {
       warnOfChangedRecord(*reader);
-      warnOfRunFile(reader->directory());
+      warnOfRunFiles(reader->directory());
     }
   });
 }

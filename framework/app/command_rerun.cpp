@@ -113,7 +113,7 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
                                     "the folder that a run has written")};
   }
   if (command.verify) (void)expectedDigests(before);
-  warnOfRunFile(before.string());
+  warnOfRunFiles(before.string());
   run::SystemOptions options{
       (before / "config.resolved.yaml").string(), {}, invocation.plugin_paths};
   options.quiet = invocation.quiet;

@@ -22,6 +22,7 @@
 #include "host/manifest.hpp"
 #include "record/atomic_file.hpp"
 #include "record/export.hpp"
+#include "record/run_check.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
 #include "run/build_info.hpp"
@@ -196,9 +197,12 @@ void requireOrEnd(const Status& status) {
   if (!status.isOk()) throw Ended{exitCode(status), status.message()};
 }
 
-void warnOfRunFile(const std::string& run) {
-  const Status status = record::RunDirectory::checkRunFile(run);
-  if (!status.isOk()) std::cerr << "warning: " + run::printable(status.message()) + "\n";
+void warnOfRunFiles(const std::string& run) {
+  const auto run_file = record::RunDirectory::readRunFile(run);
+  for (const Status& status : {record::RunDirectory::checkRunFile(run),
+                               record::checkConfig(run, run_file), record::checkEndFiles(run)}) {
+    if (!status.isOk()) std::cerr << "warning: " + run::printable(status.message()) + "\n";
+  }
 }
 
 void warnOfChangedRecord(const record::RunReader& reader,

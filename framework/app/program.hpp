@@ -66,8 +66,9 @@ struct Invocation {
   ExitCode exit_code = ExitCode::Ok;
 };
 
-/// Warns on stderr of a run whose run.json is missing or damaged: it is used, but not silently.
-void warnOfRunFile(const std::string& run);
+/// Warns on stderr of a run whose run.json is missing or damaged, whose configuration has changed,
+/// or that lacks files of its end: it is used, but not silently.
+void warnOfRunFiles(const std::string& run);
 
 /// Warns on stderr of a record of which these tables (empty: any) were changed after the run; reads
 /// their rows.

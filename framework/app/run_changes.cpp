@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.hpp"
-#include "record/digest.hpp"
+#include "record/run_check.hpp"
 #include "record/run_directory.hpp"
 #include "run/program_changes.hpp"
 
@@ -111,8 +111,7 @@ std::vector<std::string> changesBetween(const fs::path& before, const fs::path& 
 std::vector<std::string> resultChanges(const fs::path& before, const fs::path& after) {
   return changesBetween(before, after, [&](const Json& old, const Json& now) {
     std::vector<std::string> changes = changesIn(old, now);
-    const Json config = part(old, record::kConfigDigest);
-    if (config.is_string() && !record::checkConfig(before, config.get<std::string>()).isOk()) {
+    if (!record::checkConfig(before, old).isOk()) {
       changes.push_back("config.resolved.yaml: has changed since the run was recorded");
     }
     return changes;

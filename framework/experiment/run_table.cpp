@@ -18,6 +18,7 @@
 #include "experiment/text_table.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
+#include "record/run_check.hpp"
 #include "record/run_directory.hpp"
 #include "run/run_names.hpp"
 #include "text_encoding.hpp"
@@ -74,10 +75,8 @@ Result<RunRow> readRun(const fs::path& directory) {
   if (run.is_object()) {
     flatten(run.value("finish_s", Json()), "finish_s", row.metrics);
     flatten(run.value("exit_code", Json()), "exit_code", row.metrics);
-    const Json config = run.value(record::kConfigDigest, Json());
-    if (config.is_string() && fs::exists(directory / "config.resolved.yaml", error)) {
-      const Status status = record::checkConfig(directory, config.get<std::string>());
-      if (!status.isOk()) return status;
+    if (fs::exists(directory / "config.resolved.yaml", error)) {  // an archive does without
+      if (Status status = record::checkConfig(directory, run); !status.isOk()) return status;
     }
   }
   row.alignment = metrics.value("alignment", "");

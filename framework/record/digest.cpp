@@ -57,12 +57,4 @@ std::set<std::string> changedResults(const std::filesystem::path& run_directory)
   return changed;
 }
 
-Status checkConfig(const std::filesystem::path& run_directory, std::string_view digest) {
-  const std::filesystem::path file = run_directory / "config.resolved.yaml";
-  const Result<std::string> found = fileDigest(file);
-  if (found.isOk() && found.value() == digest) return Status::ok();
-  return Status::invalidInput(
-      file.string() + ": has changed since the run was recorded; put it back, or run it again");
-}
-
 }  // namespace tolman::record

@@ -27,10 +27,4 @@ std::map<std::string, std::string> resultsDigests(const std::filesystem::path& r
 /// none of them: an archive has the digests without the files.
 std::set<std::string> changedResults(const std::filesystem::path& run_directory);
 
-/// The key of run.json with the digest of config.resolved.yaml.
-inline constexpr const char* kConfigDigest = "config_sha256";
-
-/// InvalidInput unless config.resolved.yaml has this digest, that of kConfigDigest.
-Status checkConfig(const std::filesystem::path& run_directory, std::string_view digest);
-
 }  // namespace tolman::record

@@ -156,9 +156,13 @@ Json provenance(const Assembly& assembly, const std::vector<std::string>& comman
   json["command_line"] = command_line;
   json["seed"] = system.config.general.seed;
   json["threads"] = system.config.general.threads;
-  json["tolman"] = {{"version", kVersion},       {"revision", kRevision},
-                    {"compiler", kCompiler},     {"build_type", kBuildType},
-                    {"sdk", TOLMAN_SDK_VERSION}, {"fingerprint", TOLMAN_FINGERPRINT}};
+  json["tolman"] = {{"version", kVersion},
+                    {"revision", kRevision},
+                    {"compiler", kCompiler},
+                    {"build_type", kBuildType},
+                    {"sdk", TOLMAN_SDK_VERSION},
+                    {"fingerprint", TOLMAN_FINGERPRINT},
+                    {"sha256", digestOf("/proc/self/exe")}};
   json["libraries"] = {{"libc", ::gnu_get_libc_version()},
                        {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
                                              EIGEN_MINOR_VERSION)},

@@ -10,6 +10,7 @@
 #include "config/resolved.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
+#include "record/run_check.hpp"
 #include "record/run_id.hpp"
 #include "run/input_data.hpp"
 #include "run/program_changes.hpp"
@@ -26,10 +27,7 @@ using record::kConfigDigest;
 
 /// Refuses to resume a run whose config.resolved.yaml was changed since it was written.
 void refuseOtherConfig(const std::filesystem::path& run, const nlohmann::ordered_json& run_file) {
-  const auto recorded = run_file.find(kConfigDigest);
-  if (recorded == run_file.end()) return;
-  const Status status =
-      record::checkConfig(run, recorded->is_string() ? recorded->get<std::string>() : "");
+  const Status status = record::checkConfig(run, run_file);
   if (!status.isOk()) refuseToContinue(status.message());
 }
 

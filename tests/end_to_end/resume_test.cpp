@@ -234,12 +234,16 @@ TEST_CASE("a run is not resumed with another build of a plugin, or of a library 
   }
   auto json = readJson(run.out / "run.json");
   const auto kept = json["tolman"];
-  json["tolman"]["revision"] = "0123456789ab";
-  std::ofstream(run.out / "run.json") << json;
-  const Finished refused = tolman::test::tolman(run.resume());
-  CHECK(refused.exit_code == 9);
-  CHECK(contains(refused.err, "the run was begun by another version of tolman"));
-  json["tolman"] = kept;
+  const Finished digest = tolman::test::run({"sha256sum", tolmanProgram().string()});
+  CHECK(digest.out.starts_with(kept["sha256"].get<std::string>() + " "));
+  for (const char* key : {"revision", "sha256"}) {
+    json["tolman"][key] = "0123456789ab";
+    std::ofstream(run.out / "run.json") << json;
+    const Finished refused = tolman::test::tolman(run.resume());
+    CHECK(refused.exit_code == 9);
+    CHECK(contains(refused.err, "the run was begun by another version of tolman"));
+    json["tolman"] = kept;
+  }
   std::ofstream(run.out / "run.json") << json;
   const Finished resumed = tolman::test::tolman(run.resume());
   INFO(resumed.err);

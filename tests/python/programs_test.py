@@ -175,6 +175,11 @@ class ProgramsTest(Systems):
         compared = tolman("compare", self.folder / "run")
         self.assertEqual(compared.returncode, 5, compared.stdout)
         self.assertIn("config.resolved.yaml: has changed since the run was recorded", compared.stderr)
+        (self.folder / "run/trajectory.tum").unlink()
+        page = tolman("report", self.folder / "run")
+        self.assertEqual(page.returncode, 0, page.stderr)
+        self.assertIn("config.resolved.yaml: has changed since the run was recorded", page.stderr)
+        self.assertIn("files of its end are missing: trajectory.tum", page.stderr)
 
     def with_helper(self):
         """The modules that other.py imports: a helper, one of a package, and one of another folder."""

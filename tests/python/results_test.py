@@ -194,6 +194,15 @@ class RunTest(Systems):
             self.assertEqual(run.trajectory("truth").attrs["units"]["x"], "m")
             self.assertEqual(run.trajectory().attrs["units"]["x"], "units")
 
+    def test_an_ended_run_without_metrics_is_told_and_a_running_one_has_none_yet(self):
+        run = self.made()
+        (run.path / "metrics.json").unlink()
+        with self.assertRaisesRegex(FileNotFoundError, "metrics.json: is missing, although the run has ended"):
+            tolman.Run(run.path).metrics
+        info = json.loads((run.path / "run.json").read_text())
+        (run.path / "run.json").write_text(json.dumps({**info, "status": "running"}))
+        self.assertEqual(tolman.Run(run.path).metrics, {})
+
     def test_damaged_files_are_named(self):
         run = self.made()
         for name, text in (("metrics.json", "{"), ("metrics.json", "[]"), ("run.json", "x")):

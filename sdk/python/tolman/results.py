@@ -103,7 +103,10 @@ class Run:
 
     @property
     def metrics(self):
-        """What metrics.json says; empty while the run goes on."""
+        """What metrics.json says; empty while the run goes on, and after one that was killed or has failed."""
+        file = self.path / "metrics.json"
+        if not file.is_file() and self.info.get("status") in ("finished", "interrupted"):
+            raise FileNotFoundError(f"{file}: is missing, although the run has ended; put it back, or run it again")
         return self._json("metrics.json")
 
     def table(self, name):
