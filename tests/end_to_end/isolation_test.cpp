@@ -108,6 +108,14 @@ TEST_CASE("a child that a plugin in the host has forked may end as it likes") {
   CHECK(finished.exit_code == 0);
 }
 
+TEST_CASE("a child that a plugin has forked, and that returns from the call, is ended") {
+  const Finished finished = inHost("fork_and_return");
+  INFO(finished.err);
+  CHECK(finished.exit_code == 0);
+  CHECK(contains(finished.err, "odometry: a child that the plugin forked has returned"));
+  CHECK(contains(finished.out, "6 processed"));
+}
+
 TEST_CASE("on_failure: skip goes on without the stage") {
   const Attempt attempt("process_faults", "odometry", "segfault", ", on_failure: skip");
   INFO(attempt.finished.err);
