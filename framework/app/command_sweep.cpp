@@ -91,6 +91,7 @@ experiment::Plan planOf(const SweepCommand& command, const fs::path& out,
   options.out = out;
   options.known = experiment::readKnownData(out);
   options.find_config = configFile;
+  options.find_shipped = shippedConfig;
   options.environment = config::processEnvironment();
   experiment::Plan plan = experiment::makePlan(configFile(command.file), options);
   if (plan.problems.empty()) return plan;

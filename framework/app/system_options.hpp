@@ -14,19 +14,27 @@
 
 namespace tolman::app {
 
-/// The file `given`. If there is none, a configuration shipped with the program, in the installed
-/// or the build tree: both "demo" and "configs/demo.yaml" name it.
-inline std::string configFile(const std::string& given) {
+/// A configuration shipped with the program, in the installed or the build tree: both "demo" and
+/// "configs/demo.yaml" name it. Empty where there is none.
+inline std::filesystem::path shippedConfig(const std::string& name) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (fs::exists(given, ignored) && !fs::is_directory(given, ignored)) return given;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   for (const fs::path& folder : {prefix / "share/tolman", prefix.parent_path()}) {
-    for (const fs::path& file : {folder / "configs" / (given + ".yaml"), folder / given}) {
-      if (fs::is_regular_file(file, ignored)) return file.string();
+    for (const fs::path& file : {folder / "configs" / (name + ".yaml"), folder / name}) {
+      if (fs::is_regular_file(file, ignored)) return file;
     }
   }
-  return given;
+  return {};
+}
+
+/// The file `given`. If there is none, the shipped configuration of this name.
+inline std::string configFile(const std::string& given) {
+  std::error_code ignored;
+  const bool is_file =
+      std::filesystem::exists(given, ignored) && !std::filesystem::is_directory(given, ignored);
+  const std::filesystem::path shipped = is_file ? "" : shippedConfig(given);
+  return shipped.empty() ? given : shipped.string();
 }
 
 /// CONFIG, --set, --seed, --threads, --continue, --resume.
@@ -82,6 +90,7 @@ class SystemOptionsReader {
     }
     run::SystemOptions options{config, overrides_, invocation.plugin_paths};
     options.quiet = invocation.quiet;
+    options.find_shipped = shippedConfig;
     addOption("seed", seed_, options.overrides);
     addOption("threads", threads_, options.overrides);
     if (!continue_.empty()) options.overrides.push_back("continue=" + config::writeText(continue_));

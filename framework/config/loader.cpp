@@ -34,8 +34,8 @@ Result<std::string> readText(const fs::path& file) {
 /// the user gave them so.
 class Loader {
  public:
-  Loader(const Environment& environment, Loaded& loaded)
-      : environment_(environment), loaded_(loaded) {}
+  Loader(const Environment& environment, const FindShipped& find_shipped, Loaded& loaded)
+      : environment_(environment), find_shipped_(find_shipped), loaded_(loaded) {}
 
   /// The merged tree of a file. `requested` is where it is named, for messages.
   Node merged(const fs::path& file, const Origin& requested) {
@@ -118,10 +118,15 @@ class Loader {
       if (!path.isOk()) return fail(name.origin, "extends", path.status().message());
       file = path.value();
     }
+    std::error_code ignored;
+    if (find_shipped_ && (!fs::exists(file, ignored) || fs::is_directory(file, ignored))) {
+      if (const fs::path shipped = find_shipped_(name.text); !shipped.empty()) file = shipped;
+    }
     return merged(file.lexically_normal(), name.origin);
   }
 
   const Environment& environment_;
+  const FindShipped& find_shipped_;
   Loaded& loaded_;
   std::vector<fs::path> chain_;
   int files_ = 0;
@@ -130,12 +135,12 @@ class Loader {
 }  // namespace
 
 Loaded load(const fs::path& file, const std::vector<std::string>& overrides,
-            const Environment& environment) {
+            const Environment& environment, const FindShipped& find_shipped) {
   Loaded loaded;
   std::error_code error;
   loaded.folders = {fs::current_path(error), environment("HOME").value_or("")};
   loaded.file = file.string();
-  loaded.tree = Loader(environment, loaded).merged(file, Origin::ofFile(loaded.file));
+  loaded.tree = Loader(environment, find_shipped, loaded).merged(file, Origin::ofFile(loaded.file));
   applyOverrides(loaded.tree, overrides, environment, loaded.problems);
   return loaded;
 }

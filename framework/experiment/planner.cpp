@@ -103,7 +103,8 @@ class Planner {
     std::filesystem::path path = std::filesystem::path(file.origin.file).parent_path() / file.text;
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) path = options_.find_config(file.text);
-    config::Loaded loaded = config::load(path.lexically_normal(), {}, options_.environment);
+    config::Loaded loaded =
+        config::load(path.lexically_normal(), {}, options_.environment, options_.find_shipped);
     if (!loaded.complete) {
       addProblem({file.origin, file.key, "the configuration '" + file.text + "' cannot be read"});
     }

@@ -50,6 +50,7 @@ struct PlanOptions {
   std::map<std::string, record::DataDigest> known;  ///< digests of earlier plans, by path
   /// Finds the file of a shipped configuration by its name.
   std::function<std::string(const std::string&)> find_config;
+  config::FindShipped find_shipped;  ///< for `extends`
   config::Environment environment;
 };
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "config/loader.hpp"
 #include "config/resolved.hpp"
 #include "config/system_config.hpp"
 #include "host/catalogue.hpp"
@@ -31,6 +32,7 @@ struct SystemOptions {
   /// Program and arguments for the process of a stage with `isolation: process`. A program that
   /// does not have the command `run-stage` must give the installed `tolman` here.
   std::vector<std::string> stage_program{"/proc/self/exe", "run-stage"};
+  config::FindShipped find_shipped{};  ///< for `extends`; empty: files only
 };
 
 /// Manifests along the search path: `plugin_paths`, TOLMAN_PLUGIN_PATH, then the build or install

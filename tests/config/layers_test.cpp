@@ -84,6 +84,33 @@ TEST_CASE("A file may be extended twice on different paths, but not by itself") 
   CHECK(config::format(wide.problems).find("more than 64 files are read") != std::string::npos);
 }
 
+TEST_CASE("extends takes a shipped configuration by its name where there is no such file") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path shipped = folder.path() / "shipped";
+  std::filesystem::create_directories(shipped);
+  std::filesystem::create_directories(folder.path() / "mine/demo");  // a folder is no configuration
+  write(shipped / "demo.yaml", "seed: 1\nthreads: 1\n");
+  write(folder.path() / "mine/a.yaml", "extends: demo\nthreads: 2\n");
+  const auto load = [&](const std::string& name, const config::FindShipped& find) {
+    return config::load(folder.path() / "mine" / name, {}, test::environmentOf({}), find);
+  };
+  const auto find = [&](const std::string& name) {
+    const std::filesystem::path file = shipped / (name + ".yaml");
+    return std::filesystem::exists(file) ? file : std::filesystem::path();
+  };
+  const auto found = load("a.yaml", find);
+  CHECK(found.problems.empty());
+  CHECK(found.tree.find("seed")->text == "1");
+  CHECK(found.tree.find("threads")->text == "2");
+  CHECK(found.tree.find("seed")->origin.file == (shipped / "demo.yaml").string());
+  CHECK(load("a.yaml", {}).problems.size() == 1);
+
+  write(folder.path() / "mine/b.yaml", "extends: absent\n");
+  REQUIRE(load("b.yaml", find).problems.size() == 1);
+  write(folder.path() / "mine/absent", "seed: 4\n");  // a file is preferred
+  CHECK(load("b.yaml", find).tree.find("seed")->text == "4");
+}
+
 TEST_CASE("extends accepts variables and ~, and refuses values that are not file names") {
   const test::TemporaryFolder folder;
   write(folder.path() / "base.yaml", "seed: 5\n");
