@@ -52,7 +52,8 @@ std::string notKnown(const Probe& probe, const RecordingSearch& search, CarriedB
     add("the calibration: turns are right only with the right odometry.field_of_view, and lengths");
     text += "#     have an arbitrary scale\n";
   } else if (probe.width > 0) {
-    if (probe.baseline == 0) add("the scale: lengths of one camera are in arbitrary units");
+    if (probe.baseline == 0 && !probe.depth)
+      add("the scale: lengths of one camera are in arbitrary units");
     if (told == CarriedBy::Unknown) {
       add(fmt::format("what carries the camera: '{}' is guessed, from the {}; `--motion` says it",
                       nameOf(used), probe.baseline > 0 ? "baseline" : "shape of the images"));
@@ -96,7 +97,8 @@ CarriedBy guessCarrier(const Probe& probe) {
 std::string stagesFile(const Probe& probe, CarriedBy carrier) {
   if (probe.width == 0) return "motion.yaml";
   if (!probe.calibrated) return "uncalibrated.yaml";
-  return fmt::format("{}_{}.yaml", nameOf(carrier), probe.baseline > 0 ? "stereo" : "mono");
+  const char* cameras = probe.baseline > 0 ? "stereo" : probe.depth ? "rgbd" : "mono";
+  return fmt::format("{}_{}.yaml", nameOf(carrier), cameras);
 }
 
 std::string initText(const fs::path& recording, const RecordingSearch& search, CarriedBy told,

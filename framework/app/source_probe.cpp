@@ -14,6 +14,7 @@
 
 #include "app/terminal_output.hpp"
 #include "config/json_text.hpp"
+#include "dataset/rendering.hpp"
 #include "host/guard.hpp"
 #include "isolation/child_process.hpp"
 #include "isolation/plugin_process.hpp"
@@ -49,16 +50,16 @@ void probeSource(const std::string& config, const Invocation& invocation) {
     last_ns = frame.stamp_ns;
   }
   if (frames == 0) throw run::Failed({run::FailureKind::Dataset, "there is no frame"});
+  std::vector<ArrayInfo> arrays;
+  (void)assembly.source().instance().describe(arrays);  // it has given frames
   const SourceInfo& info = assembly.sourceInfo();
   const double seconds = static_cast<double>(last_ns - first_ns) * 1e-9;
-  const nlohmann::ordered_json json = {{"description", info.description},
-                                       {"width", info.rig.width},
-                                       {"height", info.rig.height},
-                                       {"calibrated", info.rig.calibrated},
-                                       {"baseline", info.rig.baseline},
-                                       {"has_truth", info.has_truth},
-                                       {"rate", seconds > 0 ? (frames - 1) / seconds : 0},
-                                       {"warnings", log.keptWarnings()}};
+  const nlohmann::ordered_json json = {
+      {"description", info.description}, {"width", info.rig.width},
+      {"height", info.rig.height},       {"calibrated", info.rig.calibrated},
+      {"baseline", info.rig.baseline},   {"depth", !dataset::depthArray(arrays).empty()},
+      {"has_truth", info.has_truth},     {"rate", seconds > 0 ? (frames - 1) / seconds : 0},
+      {"warnings", log.keptWarnings()}};
   std::cout << "\n" << config::jsonText(json) << "\n" << std::flush;
 }
 
@@ -87,6 +88,7 @@ std::optional<Probe> readProbe(const std::string& output) {
   probe.height = json.value("height", 0);
   probe.calibrated = json.value("calibrated", false);
   probe.baseline = json.value("baseline", 0.0);
+  probe.depth = json.value("depth", false);
   probe.has_truth = json.value("has_truth", false);
   probe.rate = json.value("rate", 0.0);
   probe.warnings = json.value("warnings", std::vector<std::string>());

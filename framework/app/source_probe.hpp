@@ -28,12 +28,16 @@ struct Probe {
   int height = 0;
   bool calibrated = false;
   double baseline = 0;  ///< m; 0: one camera
+  bool depth = false;   ///< with depth images
   bool has_truth = false;
   double rate = 0;                    ///< Hz, of the first frames
   std::vector<std::string> warnings;  ///< of the source: "source: its text"
 
-  /// Calibrated pairs before single cameras, before uncalibrated ones, before no images.
-  int rank() const { return (width > 0 ? 1 : 0) + (calibrated ? 2 : 0) + (baseline > 0 ? 2 : 0); }
+  /// Calibrated pairs before single cameras (those with depth first), before uncalibrated ones,
+  /// before no images.
+  int rank() const {
+    return (width > 0 ? 1 : 0) + (calibrated ? 2 : 0) + (baseline > 0 ? 2 : depth ? 1 : 0);
+  }
 };
 
 /// Time limit for one source. It is longer for large files, because a bag is read completely before

@@ -70,7 +70,17 @@ SequenceOptions CheckContext::sequenceOptions() {
     stereo_ = status.code() != StatusCode::Unsupported;
   }
   options.stereo = *stereo_;
+  if (!depth_) depth_ = plugin_->role() == Role::Odometry && needsDepth(options);
+  options.depth = *depth_;
   return options;
+}
+
+bool CheckContext::needsDepth(SequenceOptions options) {
+  options.frames = 1;
+  const InputSequence sequence = makeSequence(options);
+  TestInstance instance(*plugin_);
+  return instance.configure(sequence.rig).isOk() &&
+         instance.run(sequence).code() == StatusCode::Unsupported;
 }
 
 InputSequence CheckContext::sequence() { return makeSequence(sequenceOptions()); }

@@ -33,7 +33,8 @@ class CheckContext {
   /// As plugin(), but skips the check when a required parameter has no value.
   const PluginUnderTest& completePlugin();
 
-  /// Input for the role; from one camera if the plugin does not support two.
+  /// Input for the role; from one camera if the plugin does not support two, with depth images if
+  /// it is an odometry that does not support images alone.
   InputSequence sequence();
   /// A shorter sequence of the same rig: other images, other noise, fewer frames per circle.
   InputSequence otherSequence();
@@ -60,6 +61,8 @@ class CheckContext {
   double timeUsed() const;
 
  private:
+  /// Whether an odometry refuses the first frame of such a sequence, as Unsupported.
+  bool needsDepth(SequenceOptions options);
   void report(CheckSeverity severity, const std::string& message, std::string remedy) const;
 
   CheckTask task_;
@@ -67,6 +70,7 @@ class CheckContext {
   Send send_;
   std::optional<PluginUnderTest> plugin_;
   std::optional<bool> stereo_;
+  std::optional<bool> depth_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

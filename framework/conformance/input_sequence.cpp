@@ -90,6 +90,18 @@ class SequenceGenerator {
     if (options_.stereo) {
       frame.right = room_.view(T_world_camera_, rig, rig.baseline, options_.format);
     }
+    if (options_.depth) frame.sensors.push_back(depthImage());
+  }
+
+  NamedArray depthImage() const {
+    NamedArray depth{"depth.left", {options_.height, options_.width}, {}};
+    for (int y = 0; y < options_.height; ++y) {
+      for (int x = 0; x < options_.width; ++x) {
+        depth.values.push_back(static_cast<float>(
+            SyntheticRoom::depth(T_world_camera_, sequence_.rig, Eigen::Vector2d(x, y))));
+      }
+    }
+    return depth;
   }
 
   /// Sensor arrays with the names that replaying plugins read: planar motion since the previous

@@ -39,6 +39,7 @@ struct SequenceOptions {
   int height = 120;    ///< px
   bool images = true;
   bool stereo = true;
+  bool depth = false;  ///< a depth image of the left camera, the sensor array "depth.left"
   PixelFormat format = PixelFormat::Gray8;
 };
 

@@ -136,11 +136,12 @@ bool isWithinExtremes(const std::string& metric, const std::map<std::string, dou
   for (const std::string kind : {".rmse_", ".mean_", ".median_"}) {
     const std::size_t at = metric.find(kind);
     if (at == std::string::npos) continue;
-    const std::string before = metric.substr(0, at);
-    const std::string unit = metric.substr(at + kind.size());
+    const auto other = [&](const char* name) {
+      return metrics.find(std::string(metric).replace(at, kind.size(), name));
+    };
     const double value = metrics.at(metric);
-    const auto least = metrics.find(before + ".min_" + unit);
-    const auto most = metrics.find(before + ".max_" + unit);
+    const auto least = other(".min_");
+    const auto most = other(".max_");
     const bool is_low = least != metrics.end() && value < least->second * (1 - kRounding);
     const bool is_high = most != metrics.end() && value > most->second * (1 + kRounding);
     return !is_low && !is_high;

@@ -69,7 +69,7 @@ std::vector<Expected> expectedOfData() {
       {"places_gardens/night_right", 20, {"plugin: images\n", "scanline"}},
       {"euroc_v101", 10, {"plugin: euroc\n", "direct_sparse_stereo", "'hand' is guessed"}},
       {"tumvi_room1", 4, {"plugin: euroc\n", "equidistant", "'hand' is guessed"}},
-      {"tum_fr1_xyz", 10, {"plugin: tum\n", "direct_sparse_mono", "'hand' is guessed"}},
+      {"tum_fr1_xyz", 10, {"plugin: tum\n", "feature_rgbd", "'hand' is guessed"}},
       {"kitti_raw_unrectified", 6, {"plugin: kitti_raw\n", "rate: 10\n", "10 Hz are assumed"}},
   };
 }

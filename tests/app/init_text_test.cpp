@@ -28,6 +28,12 @@ Probe singleOf(int width, int height) {
   return probe;
 }
 
+Probe withDepth() {
+  Probe probe = singleOf(640, 480);
+  probe.depth = true;
+  return probe;
+}
+
 std::string textOf(const Probe& probe, CarriedBy told = CarriedBy::Unknown,
                    const std::string& recording = "/data/boxes") {
   RecordingSearch search;
@@ -48,6 +54,7 @@ TEST_CASE("what carries a camera is guessed by its baseline, or by the shape of 
 TEST_CASE("the stages fit to the cameras") {
   CHECK(stagesFile(pairOf(0.1), CarriedBy::Toy) == "toy_stereo.yaml");
   CHECK(stagesFile(singleOf(640, 480), CarriedBy::Hand) == "hand_mono.yaml");
+  CHECK(stagesFile(withDepth(), CarriedBy::Hand) == "hand_rgbd.yaml");
   Probe uncalibrated = singleOf(640, 480);
   uncalibrated.calibrated = false;
   CHECK(stagesFile(uncalibrated, CarriedBy::Car) == "uncalibrated.yaml");
@@ -58,10 +65,17 @@ TEST_CASE("calibrated pairs go before single cameras, and those before uncalibra
   Probe uncalibrated = singleOf(640, 480);
   uncalibrated.calibrated = false;
   CHECK(pairOf(0.1).rank() > singleOf(640, 480).rank());
+  CHECK(pairOf(0.1).rank() > withDepth().rank());
+  CHECK(withDepth().rank() > singleOf(640, 480).rank());
   CHECK(singleOf(640, 480).rank() > uncalibrated.rank());
   Probe motion = uncalibrated;
   motion.width = 0;
   CHECK(uncalibrated.rank() > motion.rank());
+}
+
+TEST_CASE("the scale of one camera is not known, but for one with depth images") {
+  CHECK_THAT(textOf(singleOf(640, 480)), Contains("the scale: lengths of one camera"));
+  CHECK_THAT(textOf(withDepth()), !Contains("the scale"));
 }
 
 TEST_CASE("folders of images that are not read are named") {

@@ -204,3 +204,36 @@ TEST_CASE("illegal input violates the contract") {
   CHECK(sequence.rig.isStereo());
   CHECK(sequence.inputs[0].frame.right.empty());
 }
+
+TEST_CASE("depth images agree with the depths of the points, and are given on demand") {
+  SequenceOptions options;
+  options.frames = 3;
+  options.width = 64;
+  options.height = 24;
+  const auto depthOf = [](const Frame& frame) {
+    return std::ranges::find(frame.sensors, "depth.left", &NamedArray::name);
+  };
+  const InputSequence plain = makeSequence(options);
+  CHECK(depthOf(plain.inputs[1].frame) == plain.inputs[1].frame.sensors.end());
+  options.depth = true;
+  const InputSequence sequence = makeSequence(options);
+  for (std::size_t k = 1; k < 3; ++k) {
+    const auto& [frame, motion, place, decision, map, cells, graph] = sequence.inputs[k];
+    const auto depth = depthOf(frame);
+    REQUIRE(depth != frame.sensors.end());
+    CHECK(depth->shape == std::vector<int>{24, 64});
+    REQUIRE(motion.points.cols() > 0);
+    for (Eigen::Index i = 0; i < motion.points.cols(); ++i) {
+      // The points lie between pixels, so four pixels have a depth on both sides, but at edges.
+      const auto at = static_cast<std::size_t>(motion.points(1, i)) * 64 +
+                      static_cast<std::size_t>(motion.points(0, i));
+      const auto [nearest, farthest] =
+          std::minmax({depth->values[at], depth->values[at + 1], depth->values[at + 64],
+                       depth->values[at + 65]});
+      if (farthest > 1.1F * nearest) continue;
+      const float of_point = 1 / motion.points(2, i);
+      CHECK(of_point >= 0.999F * nearest);
+      CHECK(of_point <= 1.001F * farthest);
+    }
+  }
+}

@@ -40,18 +40,31 @@ double texture(double x, double y, std::int64_t plane, double metres_a_pixel) {
   return weight > 0 ? value / weight : 0.5;
 }
 
-std::uint8_t shade(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, double focal) {
-  // normal axis, its position, the two axes of the texture
+/// Where a ray meets the street: after `depth` times its direction, on a plane.
+struct Hit {
+  double depth = std::numeric_limits<double>::infinity();
+  std::int64_t plane = -1;
+  Eigen::Index axis = 0;  ///< of the plane's normal
+};
+
+Hit firstHit(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray) {
+  // axis of the normal, and its position
   constexpr double kPlanes[4][2] = {{1, 1.5}, {0, -5}, {0, 6}, {2, 60}};
-  double nearest = std::numeric_limits<double>::infinity();
-  double value = 0.5;
+  Hit hit;
   for (std::int64_t k = 0; k < 4; ++k) {
     const auto axis = static_cast<Eigen::Index>(kPlanes[k][0]);
     const double s = (kPlanes[k][1] - origin[axis]) / ray[axis];
-    if (!(s > 0.1) || s >= nearest) continue;
-    nearest = s;
-    const Eigen::Vector3d p = origin + s * ray;
-    value = texture(p[(axis + 1) % 3], p[(axis + 2) % 3], k, s / focal);
+    if (s > 0.1 && s < hit.depth) hit = {s, k, axis};
+  }
+  return hit;
+}
+
+std::uint8_t shade(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray, double focal) {
+  const Hit hit = firstHit(origin, ray);
+  double value = 0.5;
+  if (hit.plane >= 0) {
+    const Eigen::Vector3d p = origin + hit.depth * ray;
+    value = texture(p[(hit.axis + 1) % 3], p[(hit.axis + 2) % 3], hit.plane, hit.depth / focal);
   }
   return static_cast<std::uint8_t>(std::lround(20 + 215 * value));
 }
@@ -77,6 +90,19 @@ CameraRig streetRig() {
   rig.pinhole = {300, 300, 239.5, 99.5};
   rig.baseline = 0.5;
   return rig;
+}
+
+NamedArray streetDepth(const Eigen::Isometry3d& T_world_camera) {
+  const CameraRig rig = streetRig();
+  NamedArray depth{"depth.left", {rig.height, rig.width}, {}};
+  for (int v = 0; v < rig.height; ++v) {
+    for (int u = 0; u < rig.width; ++u) {
+      const Eigen::Vector3d ray = T_world_camera.linear() * rig.pinhole.ray({u, v});
+      const Hit hit = firstHit(T_world_camera.translation(), ray);
+      depth.values.push_back(hit.plane < 0 ? 0 : static_cast<float>(hit.depth));
+    }
+  }
+  return depth;
 }
 
 Frame streetFrame(std::int64_t index, const Eigen::Isometry3d& T_world_camera) {

@@ -13,6 +13,9 @@ CameraRig streetRig();
 /// What the rig sees at this pose; frame and stamp (10 Hz) are set from `index`.
 Frame streetFrame(std::int64_t index, const Eigen::Isometry3d& T_world_camera);
 
+/// The depth image of the left camera at this pose, m; 0 where nothing is in view.
+NamedArray streetDepth(const Eigen::Isometry3d& T_world_camera);
+
 /// The frame, as the one of another index at 10 Hz.
 Frame again(const Frame& frame, std::int64_t index);
 

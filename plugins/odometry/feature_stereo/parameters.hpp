@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameters of feature_stereo.
+// Parameters of feature_stereo and feature_rgbd.
 #pragma once
 
 #include <tuple>
@@ -30,72 +30,77 @@ struct Parameters {
   double offset_sigma = 0.2;
 
   /// Corners, their tracking, and its accuracy.
+  template <class P>
   static constexpr auto cornerParameters() {
-    using P = Parameters;
     return tolman::parameters(
-        parameter("corners", &P::corners)
+        parameter<P, int>("corners", &P::corners)
             .range(50, 5000)
             .doc("Number of corners that are tracked, one per cell of a grid over the image."),
-        parameter("corner_quality", &P::corner_quality)
+        parameter<P, double>("corner_quality", &P::corner_quality)
             .range(1e-6, 1)
             .doc("Smallest corner response, relative to the strongest one of the image."),
-        parameter("track_window", &P::track_window)
+        parameter<P, int>("track_window", &P::track_window)
             .range(7, 61)
             .unit("px")
             .doc("Side of the patch that is tracked; odd."),
-        parameter("track_levels", &P::track_levels)
+        parameter<P, int>("track_levels", &P::track_levels)
             .range(1, 8)
             .doc("Levels of the image pyramid, each half as wide as the one before."),
-        parameter("track_consistency", &P::track_consistency)
+        parameter<P, double>("track_consistency", &P::track_consistency)
             .range(0.05, 10)
             .unit("px")
             .doc("Largest forward-backward error of a corner tracked to the new image."),
-        parameter("stereo_consistency", &P::stereo_consistency)
-            .range(0.05, 10)
-            .unit("px")
-            .doc("Largest forward-backward error of a corner matched to the right image."),
-        parameter("nearest", &P::nearest)
-            .range(0.01, 1000)
-            .unit("m")
-            .doc("Nearest depth that is searched for; sets the largest disparity."),
-        parameter("sigma_track", &P::sigma_track)
+        parameter<P, double>("sigma_track", &P::sigma_track)
             .range(0.01, 10)
             .unit("px")
-            .doc("Standard deviation of a tracked far corner, in each direction."),
-        parameter("sigma_disparity", &P::sigma_disparity)
-            .range(0.01, 10)
-            .unit("px")
-            .doc("Standard deviation of a far corner's disparity."),
-        parameter("sigma_doubling", &P::sigma_doubling)
-            .range(0.1, 1e6)
-            .unit("px")
-            .doc("Disparity at which both variances are twice those of a far corner."));
+            .doc("Standard deviation of a tracked far corner, in each direction."));
   }
   /// Poses, keyframes and the window.
+  template <class P>
   static constexpr auto poseParameters() {
-    using P = Parameters;
     return tolman::parameters(
-        parameter("ransac_iterations", &P::ransac_iterations)
+        parameter<P, int>("ransac_iterations", &P::ransac_iterations)
             .range(1, 10000)
             .doc("Maximum number of RANSAC samples of three points."),
-        parameter("min_inliers", &P::min_inliers)
+        parameter<P, int>("min_inliers", &P::min_inliers)
             .range(6, 1000)
             .doc("Fewest inliers of a pose; with fewer, tracking is lost."),
-        parameter("window", &P::window)
+        parameter<P, int>("window", &P::window)
             .range(2, 30)
             .unit("keyframes")
             .doc("Keyframes that are refined together."),
-        parameter("keyframe_flow", &P::keyframe_flow)
+        parameter<P, double>("keyframe_flow", &P::keyframe_flow)
             .range(0.5, 1000)
             .unit("px")
             .doc("Median image motion since the last keyframe at which a new one is made."),
-        parameter("keyframe_survival", &P::keyframe_survival)
+        parameter<P, double>("keyframe_survival", &P::keyframe_survival)
             .range(0.05, 1)
             .doc("A keyframe is made when less than this share of the corners is left."),
-        parameter("refinement_iterations", &P::refinement_iterations)
+        parameter<P, int>("refinement_iterations", &P::refinement_iterations)
             .range(0, 100)
-            .doc("Steps of the window refinement at a keyframe; 0 switches it off."),
-        parameter("offset_sigma", &P::offset_sigma)
+            .doc("Steps of the window refinement at a keyframe; 0 switches it off."));
+  }
+  /// What the right image adds.
+  template <class P>
+  static constexpr auto stereoParameters() {
+    return tolman::parameters(
+        parameter<P, double>("stereo_consistency", &P::stereo_consistency)
+            .range(0.05, 10)
+            .unit("px")
+            .doc("Largest forward-backward error of a corner matched to the right image."),
+        parameter<P, double>("nearest", &P::nearest)
+            .range(0.01, 1000)
+            .unit("m")
+            .doc("Nearest depth that is searched for; sets the largest disparity."),
+        parameter<P, double>("sigma_disparity", &P::sigma_disparity)
+            .range(0.01, 10)
+            .unit("px")
+            .doc("Standard deviation of a far corner's disparity."),
+        parameter<P, double>("sigma_doubling", &P::sigma_doubling)
+            .range(0.1, 1e6)
+            .unit("px")
+            .doc("Disparity at which both variances are twice those of a far corner."),
+        parameter<P, double>("offset_sigma", &P::offset_sigma)
             .range(0, 5)
             .unit("px")
             .doc("Standard deviation of an offset that all disparities share, which is estimated; "
@@ -104,7 +109,26 @@ struct Parameters {
   }
 
   static constexpr auto declaration() {
-    return std::tuple_cat(cornerParameters(), poseParameters());
+    using P = Parameters;
+    return std::tuple_cat(cornerParameters<P>(), stereoParameters<P>(), poseParameters<P>());
+  }
+};
+
+/// Of a single camera with depth images.
+struct RgbdParameters : Parameters {
+  double depth_noise = 0.0015;  // 1/m; of structured light (Khoshelham and Elberink, Sensors 2012)
+
+  static constexpr auto declaration() {
+    using P = RgbdParameters;
+    return std::tuple_cat(
+        cornerParameters<P>(),
+        tolman::parameters(
+            parameter<P, double>("depth_noise", &P::depth_noise)
+                .range(1e-6, 1)
+                .unit("1/m")
+                .doc("Standard deviation of a measured depth, divided by the square of the depth: "
+                     "that of structured light and of stereo cameras grows so.")),
+        poseParameters<P>());
   }
 };
 

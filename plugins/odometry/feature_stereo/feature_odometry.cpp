@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The steps of one frame: tracking, pose, keyframe, report.
-#include "feature_stereo.hpp"
+#include "feature_odometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "depth_disparity.hpp"
 #include "lost_motion.hpp"
 #include "odometry_input.hpp"
 #include "tolman/image_cv.hpp"
@@ -25,40 +26,61 @@ cv::Mat usableGray(const Image& image) {
   return deviation[0] < kWeakestContrast ? cv::Mat() : gray;
 }
 
+constexpr double kNever = 1e9;  // px of disparity
+
 StereoPixel toStereoPixel(const cv::Point2f& pixel, float disparity, double offset = 0) {
   return {pixel.x, pixel.y, std::isnan(disparity) ? 0.0 : disparity - offset};
 }
 
 }  // namespace
 
-Status FeatureStereo::configure(const Context& context) {
-  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
-  if (!bound.isOk()) return bound.status();
-  parameters_ = bound.value();
+Status FeatureOdometry::configure(const Context& context) {
+  if (Status status = readParameters(context.parameters); !status.isOk()) return status;
   if (parameters_.track_window % 2 == 0) {
     return Status::invalidParameter("track_window is even; the patch needs a centre: give " +
                                     std::to_string(parameters_.track_window + 1));
   }
   rig_ = context.rig;
-  if (Status status = requireCalibrated(rig_, true); !status.isOk()) return status;
+  if (Status status = requireCalibrated(rig_, needsPair()); !status.isOk()) return status;
+  if (!needsPair()) rig_.baseline = kVirtualBaseline;
   log_ = &context.log;
   seed_ = context.seed;
   useSettings();
   return reset();
 }
 
-void FeatureStereo::useSettings() {
+Status FeatureOdometry::readParameters(const ParameterValues& values) {
+  if (needsPair()) {
+    const Result<Parameters> bound = bindParameters<Parameters>(values);
+    if (bound.isOk()) parameters_ = bound.value();
+    return bound.status();
+  }
+  const Result<RgbdParameters> bound = bindParameters<RgbdParameters>(values);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  depth_noise_ = bound.value().depth_noise;
+  return Status::ok();
+}
+
+void FeatureOdometry::useSettings() {
   const Parameters& p = parameters_;
   corner_settings_ = {p.corners, p.corner_quality, p.track_window / 2 + 4};
   track_settings_ = {p.track_window, p.track_levels, p.track_consistency};
   stereo_settings_.track = {p.track_window, std::min(2, p.track_levels), p.stereo_consistency};
   stereo_settings_.max_disparity = rig_.pinhole.fx * rig_.baseline / p.nearest;
-  const PixelNoise noise{p.sigma_track, p.sigma_disparity, p.sigma_doubling};
+  PixelNoise noise{p.sigma_track, p.sigma_disparity, p.sigma_doubling};
+  double offset_sigma = p.offset_sigma;
+  if (!needsPair()) {
+    // An error s z^2 of the depth z = fx b / d is an error s fx b of d, at any depth.
+    noise.disparity = depth_noise_ * rig_.pinhole.fx * rig_.baseline;
+    noise.doubling = kNever;
+    offset_sigma = 0;
+  }
   pnp_settings_ = {noise, p.ransac_iterations, p.min_inliers};
-  refinement_settings_ = {noise, p.refinement_iterations, p.offset_sigma};
+  refinement_settings_ = {noise, p.refinement_iterations, offset_sigma};
 }
 
-Status FeatureStereo::reset() {
+Status FeatureOdometry::reset() {
   random_ = RandomStream(seed_);
   window_ = Window();
   history_.clear();
@@ -74,36 +96,56 @@ Status FeatureStereo::reset() {
   return Status::ok();
 }
 
-Status FeatureStereo::track(const Frame& frame, Motion& motion) {
-  if (Status status = requireImages(frame, rig_, true); !status.isOk()) return status;
+Status FeatureOdometry::track(const Frame& frame, Motion& motion) {
+  if (Status status = requireImages(frame, rig_, needsPair()); !status.isOk()) return status;
+  if (!needsPair()) {
+    if (Status status = requireDepth(frame, rig_); !status.isOk()) return status;
+  }
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
   motion.dt = last_stamp_ns_ < 0 ? 0 : 1e-9 * double(frame.stamp_ns - last_stamp_ns_);
   last_stamp_ns_ = frame.stamp_ns;
-  const cv::Mat left = usableGray(frame.left);
-  const cv::Mat right = usableGray(frame.right);
-  const bool usable = !left.empty() && !right.empty();
-  if (usable) {
-    images_.left.build(left, track_settings_.window, track_settings_.levels);
-    images_.right.build(right, track_settings_.window, stereo_settings_.track.levels);
-  }
-  answer(usable ? &images_ : nullptr, motion);
+  answer(lookAt(frame) ? &views_ : nullptr, motion);
+  views_.depth = nullptr;  // it is the frame's
   setPlanarVelocity(motion, motion.dt);
   return Status::ok();
 }
 
-void FeatureStereo::answer(const StereoPyramids* images, Motion& motion) {
+bool FeatureOdometry::lookAt(const Frame& frame) {
+  const cv::Mat left = usableGray(frame.left);
+  if (left.empty()) return false;
+  if (needsPair()) {
+    const cv::Mat right = usableGray(frame.right);
+    if (right.empty()) return false;
+    views_.right.build(right, track_settings_.window, stereo_settings_.track.levels);
+  } else {
+    views_.depth = depthImage(frame);
+  }
+  views_.left.build(left, track_settings_.window, track_settings_.levels);
+  return true;
+}
+
+std::vector<float> FeatureOdometry::disparitiesOf(const Views& views,
+                                                  const std::vector<cv::Point2f>& corners,
+                                                  const std::vector<float>& guesses) const {
+  if (needsPair()) {
+    return matchStereo(views.left, views.right, corners, guesses, stereo_settings_);
+  }
+  return depthDisparities(*views.depth, corners, rig_.pinhole.fx * rig_.baseline);
+}
+
+void FeatureOdometry::answer(const Views* views, Motion& motion) {
   const bool started = !history_.empty();
   // Frames; afterwards the last tracked view is not searched for. Chosen, not tuned.
   constexpr int kLongestGap = 100;
-  if (started && images != nullptr && lost_frames_ <= kLongestGap) {
-    if (auto tracked = trackAny(*images, predictPose(motion.dt))) {
-      answerMeasured(*images, std::move(*tracked), motion);
+  if (started && views != nullptr && lost_frames_ <= kLongestGap) {
+    if (auto tracked = trackAny(*views, predictPose(motion.dt))) {
+      answerMeasured(*views, std::move(*tracked), motion);
       return;
     }
   }
   if (started) answerPredicted(motion);
-  if (images != nullptr) restart(*images, motion);
+  if (views != nullptr) restart(*views, motion);
   if (!started) {
     motion.state = TrackingState::Initialising;
     // No motion was measured yet: as uncertain as after 100 lost frames. Chosen, not tuned.
@@ -114,34 +156,34 @@ void FeatureStereo::answer(const StereoPyramids* images, Motion& motion) {
   }
 }
 
-Status FeatureStereo::finish(std::vector<MotionRevision>& revisions) {
+Status FeatureOdometry::finish(std::vector<MotionRevision>& revisions) {
   const std::vector<MotionRevision> last = history_.finish();
   revisions.insert(revisions.end(), last.begin(), last.end());
   return Status::ok();
 }
 
-Eigen::Isometry3d FeatureStereo::predictPose(double dt) const {
+Eigen::Isometry3d FeatureOdometry::predictPose(double dt) const {
   return history_.lastPose() * expSe3(velocity_ * dt);
 }
 
-Eigen::Isometry3d FeatureStereo::remember(const Eigen::Isometry3d& T_world_camera,
-                                          const Keyframe& keyframe, const Motion& motion) {
+Eigen::Isometry3d FeatureOdometry::remember(const Eigen::Isometry3d& T_world_camera,
+                                            const Keyframe& keyframe, const Motion& motion) {
   return history_.add(motion.frame, T_world_camera, keyframe.frame,
                       keyframe.T_world_camera.inverse(), motion.covariance, motion.dt);
 }
 
-std::optional<FeatureStereo::Tracked> FeatureStereo::trackAny(const StereoPyramids& images,
-                                                              const Eigen::Isometry3d& predicted) {
-  std::optional<Tracked> best = trackFrom(images, predicted);
+std::optional<FeatureOdometry::Tracked> FeatureOdometry::trackAny(
+    const Views& views, const Eigen::Isometry3d& predicted) {
+  std::optional<Tracked> best = trackFrom(views, predicted);
   if (best && 2 * best->tracks.size() >= best->attempted) return best;
   // Fewer than half were found: the camera may have stopped or reversed.
-  std::optional<Tracked> still = trackFrom(images, T_world_reference_);
+  std::optional<Tracked> still = trackFrom(views, T_world_reference_);
   const bool better = still && (!best || still->tracks.size() > best->tracks.size());
   return better ? still : best;
 }
 
-std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyramids& images,
-                                                               const Eigen::Isometry3d& guess) {
+std::optional<FeatureOdometry::Tracked> FeatureOdometry::trackFrom(const Views& views,
+                                                                   const Eigen::Isometry3d& guess) {
   const double offset = window_.disparityOffset();
   std::vector<cv::Point2f> from;
   std::vector<cv::Point2f> to;
@@ -152,7 +194,7 @@ std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyram
     to.push_back(pixel ? cv::Point2f(float(pixel->x()), float(pixel->y())) : track.pixel);
     disparities.push_back(pixel ? float(pixel->z() + offset) : kNoDisparity);
   }
-  const std::vector<bool> found = trackCorners(reference_, images.left, from, to, track_settings_);
+  const std::vector<bool> found = trackCorners(reference_, views.left, from, to, track_settings_);
   std::vector<Track> tracks;
   std::vector<cv::Point2f> pixels;
   std::vector<float> guesses;
@@ -162,8 +204,7 @@ std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyram
     pixels.push_back(to[i]);
     guesses.push_back(disparities[i]);
   }
-  const std::vector<float> matched =
-      matchStereo(images.left, images.right, pixels, guesses, stereo_settings_);
+  const std::vector<float> matched = disparitiesOf(views, pixels, guesses);
   std::vector<PointMatch> matches;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     tracks[i].pixel = pixels[i];
@@ -181,16 +222,15 @@ std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyram
   return tracked;
 }
 
-std::vector<FeatureStereo::StereoCorner> FeatureStereo::findCandidates(
-    const StereoPyramids& images, const std::vector<Track>& tracks) const {
+std::vector<FeatureOdometry::StereoCorner> FeatureOdometry::findCandidates(
+    const Views& views, const std::vector<Track>& tracks) const {
   std::vector<cv::Point2f> occupied;
   occupied.reserve(tracks.size());
   for (const Track& track : tracks) occupied.push_back(track.pixel);
   const std::vector<cv::Point2f> corners =
-      detectCorners(images.left.level(0), occupied, corner_settings_);
+      detectCorners(views.left.level(0), occupied, corner_settings_);
   const std::vector<float> guesses(corners.size(), kNoDisparity);
-  const std::vector<float> disparities =
-      matchStereo(images.left, images.right, corners, guesses, stereo_settings_);
+  const std::vector<float> disparities = disparitiesOf(views, corners, guesses);
   std::vector<StereoCorner> candidates;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!std::isnan(disparities[i])) candidates.push_back({corners[i], disparities[i]});
@@ -198,7 +238,7 @@ std::vector<FeatureStereo::StereoCorner> FeatureStereo::findCandidates(
   return candidates;
 }
 
-bool FeatureStereo::wantsKeyframe() const {
+bool FeatureOdometry::wantsKeyframe() const {
   std::vector<double> flows;
   for (const Track& track : tracks_) {
     flows.push_back(cv::norm(track.pixel - track.keyframe_pixel));
@@ -209,8 +249,8 @@ bool FeatureStereo::wantsKeyframe() const {
          double(tracks_.size()) < parameters_.keyframe_survival * double(keyframe_tracks_);
 }
 
-Eigen::Isometry3d FeatureStereo::makeKeyframe(const Keyframe& keyframe,
-                                              const std::vector<StereoCorner>& candidates) {
+Eigen::Isometry3d FeatureOdometry::makeKeyframe(const Keyframe& keyframe,
+                                                const std::vector<StereoCorner>& candidates) {
   window_.addKeyframe(keyframe);
   for (Track& track : tracks_) {
     track.keyframe_pixel = track.pixel;
@@ -239,15 +279,14 @@ Eigen::Isometry3d FeatureStereo::makeKeyframe(const Keyframe& keyframe,
   return window_.keyframes().back().T_world_camera;
 }
 
-void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& tracked,
-                                   Motion& motion) {
+void FeatureOdometry::answerMeasured(const Views& views, Tracked&& tracked, Motion& motion) {
   Eigen::Isometry3d T_world_camera = tracked.pose.T_world_camera;
   if (first_lost_ >= 0) history_.interpolate(first_lost_, T_world_camera, motion.dt);
   tracks_ = std::move(tracked.tracks);
   motion.tracked = tracked.pose.inliers;
   motion.is_keyframe = wantsKeyframe();
   if (motion.is_keyframe) {
-    T_world_camera = makeKeyframe({motion.frame, T_world_camera}, findCandidates(images, tracks_));
+    T_world_camera = makeKeyframe({motion.frame, T_world_camera}, findCandidates(views, tracks_));
     history_.followKeyframes(findKeyframe());
     motion.revisions = history_.removeOld(findKeyframe());
     publishPoints(motion);
@@ -265,12 +304,12 @@ void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& track
   lost_s_ = 0;
 }
 
-void FeatureStereo::keepImage(const Eigen::Isometry3d& T_world_camera) {
-  std::swap(reference_, images_.left);
+void FeatureOdometry::keepImage(const Eigen::Isometry3d& T_world_camera) {
+  std::swap(reference_, views_.left);
   T_world_reference_ = T_world_camera;
 }
 
-void FeatureStereo::answerPredicted(Motion& motion) {
+void FeatureOdometry::answerPredicted(Motion& motion) {
   if (first_lost_ < 0) {
     first_lost_ = motion.frame;
     log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
@@ -284,8 +323,8 @@ void FeatureStereo::answerPredicted(Motion& motion) {
   motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
 }
 
-void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
-  const std::vector<StereoCorner> candidates = findCandidates(images, {});
+void FeatureOdometry::restart(const Views& views, Motion& motion) {
+  const std::vector<StereoCorner> candidates = findCandidates(views, {});
   if (static_cast<int>(candidates.size()) < parameters_.min_inliers) return;
   const Keyframe keyframe{motion.frame,
                           history_.empty() ? Eigen::Isometry3d::Identity() : history_.lastPose()};
@@ -304,7 +343,7 @@ void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
   lost_s_ = 0;
 }
 
-void FeatureStereo::publishPoints(Motion& motion) {
+void FeatureOdometry::publishPoints(Motion& motion) {
   constexpr double kMinInverseDepth = 1e-4;  // 1/m; leaves out points at infinity
   const double fb = rig_.pinhole.fx * rig_.baseline;
   std::vector<Eigen::Vector4f> points;
