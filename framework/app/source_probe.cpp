@@ -54,12 +54,18 @@ void probeSource(const std::string& config, const Invocation& invocation) {
   (void)assembly.source().instance().describe(arrays);  // it has given frames
   const SourceInfo& info = assembly.sourceInfo();
   const double seconds = static_cast<double>(last_ns - first_ns) * 1e-9;
-  const nlohmann::ordered_json json = {
-      {"description", info.description}, {"width", info.rig.width},
-      {"height", info.rig.height},       {"calibrated", info.rig.calibrated},
-      {"baseline", info.rig.baseline},   {"depth", !dataset::depthArray(arrays).empty()},
-      {"has_truth", info.has_truth},     {"rate", seconds > 0 ? (frames - 1) / seconds : 0},
-      {"warnings", log.keptWarnings()}};
+  std::vector<std::string> warnings = log.keptWarnings();
+  for (const std::string& doubt : assembly.source().doubts())
+    warnings.push_back("source: " + doubt);
+  const nlohmann::ordered_json json = {{"description", info.description},
+                                       {"width", info.rig.width},
+                                       {"height", info.rig.height},
+                                       {"calibrated", info.rig.calibrated},
+                                       {"baseline", info.rig.baseline},
+                                       {"depth", !dataset::depthArray(arrays).empty()},
+                                       {"has_truth", info.has_truth},
+                                       {"rate", seconds > 0 ? (frames - 1) / seconds : 0},
+                                       {"warnings", warnings}};
   std::cout << "\n" << config::jsonText(json) << "\n" << std::flush;
 }
 

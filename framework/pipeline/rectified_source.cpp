@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "host/frame_images.hpp"
 #include "imaging/baseline_check.hpp"
+#include "imaging/camera_check.hpp"
 #include "imaging/pixel_check.hpp"
 #include "imaging/rectified_view.hpp"
 #include "pipeline/task_isolation.hpp"
@@ -16,6 +18,7 @@ Status RectifiedSource::info(SourceInfo& info) {
   Status status = SourceStage::info(info);
   is_endless_ = status.isOk() && info.frames < 0;
   if (status.isOk()) status = instance().rawRig(raw_);
+  given_ = info.rig;
   if (status.isOk() && !raw_.cameras.empty()) status = prepare(info.rig);
   if (status.isOk()) status = prepareCut(info.rig);
   for (const std::string& text : {text_, cutText()}) {
@@ -27,6 +30,9 @@ Status RectifiedSource::info(SourceInfo& info) {
 std::vector<std::string> RectifiedSource::doubts() const {
   std::vector<std::string> doubts = {imaging::baselineDoubt(rig_), imaging::pixelDoubt(rig_)};
   std::erase(doubts, "");
+  std::ranges::copy(
+      raw_.cameras.empty() ? imaging::cameraDoubts(given_) : imaging::cameraDoubts(raw_),
+      std::back_inserter(doubts));
   return doubts;
 }
 

@@ -38,7 +38,7 @@ class RectifiedSource : private host::SourceStage {
   const std::string& text() const { return text_; }
   /// How the images are cropped and scaled, likewise; empty for whole images. After info().
   std::string cutText() const { return cut_.text(); }
-  /// Why the baseline of the stereo pair and the focal lengths are doubtful, likewise; none if they
+  /// Why baseline, pixels, principal point and focal length are doubtful, likewise; none if they
   /// are not. After info().
   std::vector<std::string> doubts() const;
   /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
@@ -52,7 +52,8 @@ class RectifiedSource : private host::SourceStage {
   config::RectificationSettings settings_;
   config::ImageSettings images_;
   RawRig raw_;
-  CameraRig rig_;  ///< the rig that the stages get
+  CameraRig given_;  ///< the rig that the source told
+  CameraRig rig_;    ///< the rig that the stages get
   std::string text_;
   std::vector<imaging::PixelMap> maps_;  ///< one per camera; none: images are not rectified
   imaging::ImageCut cut_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "camera_files.hpp"
 #include "image_listing.hpp"
@@ -82,41 +81,12 @@ std::vector<std::int64_t> uniformStamps(std::size_t count, double rate) {
 }
 
 void checkPrincipalPoint(const fs::path& file, const CameraRig& rig, Inspection& inspection) {
-  if (rig.width == 0) return;
   const Pinhole& K = rig.pinhole;
-  // Lenses are centred within a few percent; images cut at one side are within a quarter.
-  constexpr double kOffCentre = 0.25;
-  if (K.cx > 0 && K.cx < rig.width && K.cy > 0 && K.cy < rig.height) {
-    if (std::abs(K.cx / rig.width - 0.5) <= kOffCentre &&
-        std::abs(K.cy / rig.height - 0.5) <= kOffCentre) {
-      return;
-    }
-    inspection.warning(file, "principal point (" + fixed(K.cx, 1) + ", " + fixed(K.cy, 1) +
-                                 ") is far from the middle of the " +
-                                 pixels({rig.width, rig.height}) +
-                                 " image; were the images resized after the calibration? Then "
-                                 "scale fx, fy, cx, cy as well");
-    return;
-  }
+  const bool is_inside = K.cx > 0 && K.cx < rig.width && K.cy > 0 && K.cy < rig.height;
+  if (rig.width == 0 || is_inside) return;
   inspection.error(file, "principal point (" + fixed(K.cx, 1) + ", " + fixed(K.cy, 1) +
                              ") is outside of the " + pixels({rig.width, rig.height}) +
                              " image; give the calibration of these images");
-}
-
-void checkFieldOfView(const fs::path& file, const CameraRig& rig, Inspection& inspection) {
-  const Pinhole& K = rig.pinhole;
-  if (rig.width == 0 || !(K.fx > 0) || !(K.fy > 0)) return;
-  // Rectified images of wider lenses are cut, since their edges would be stretched threefold.
-  constexpr double kWidest = 115;   // degrees
-  constexpr double kNarrowest = 3;  // degrees
-  const double half = std::max(rig.width / K.fx, rig.height / K.fy) / 2;
-  const double degrees = 2 * std::atan(half) * 180 / std::numbers::pi;
-  if (degrees >= kNarrowest && degrees <= kWidest) return;
-  inspection.warning(file, "focal length (" + fixed(K.fx, 1) + ", " + fixed(K.fy, 1) +
-                               ") gives the " + pixels({rig.width, rig.height}) +
-                               " image a view of " + fixed(degrees, 0) +
-                               " degrees, which rectified cameras hardly have; is it that of these "
-                               "images, in pixels? Depths and ways are wrong by its error");
 }
 
 std::vector<std::ptrdiff_t> nearestTimes(const std::vector<std::int64_t>& times,

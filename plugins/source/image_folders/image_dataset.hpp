@@ -48,10 +48,6 @@ std::vector<std::int64_t> uniformStamps(std::size_t count, double rate);
 /// Adds an error in `file` unless the principal point is in the image.
 void checkPrincipalPoint(const std::filesystem::path& file, const CameraRig& rig,
                          Inspection& inspection);
-/// Warns of a field of view that rectified images hardly have: a focal length that is scaled alike
-/// in all directions contradicts nothing else.
-void checkFieldOfView(const std::filesystem::path& file, const CameraRig& rig,
-                      Inspection& inspection);
 
 /// For each time the index of the nearest of `others`, at most `apart_ns` away, otherwise -1. Both
 /// lists must increase. For sensors that are exposed at different times.

@@ -119,7 +119,7 @@ Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expect
   if (!bytes.isOk()) return bytes.status();
   notes.orientation = orientationOf(bytes.value());
   Result<Image> image = isPng(bytes.value()) ? decodePng(bytes.value(), colour, bits, &notes.values)
-                                             : decodeJpeg(bytes.value(), colour);
+                                             : jpeg_images::decodeJpeg(bytes.value(), colour);
   if (!image.isOk()) return image;
   if (ImageSize{image.value().width(), image.value().height()} != expected) {
     return problem("has a damaged header");

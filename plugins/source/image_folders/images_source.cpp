@@ -59,7 +59,6 @@ void readRig(const Parameters& p, ImageDataset& dataset, Inspection& inspection)
   if (p.calibration.empty()) {
     setRig(p, rig);
     if (rig.calibrated) checkPrincipalPoint("cx, cy", rig, inspection);
-    if (rig.calibrated) checkFieldOfView("fx, fy", rig, inspection);
     return;
   }
   const fs::path file = fs::path(p.path) / p.calibration;
@@ -75,7 +74,6 @@ void readRig(const Parameters& p, ImageDataset& dataset, Inspection& inspection)
   rig.pinhole = calibration->pinhole;
   rig.baseline = calibration->baseline;
   checkPrincipalPoint(file, rig, inspection);
-  checkFieldOfView(file, rig, inspection);
 }
 
 void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspection) {

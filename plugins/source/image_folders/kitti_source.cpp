@@ -39,7 +39,6 @@ void readCalibration(const fs::path& file, int left, bool stereo, ImageDataset& 
   dataset.rig.baseline = calibration->baseline;
   t_left_camera0 = calibration->t_left_camera0;
   checkPrincipalPoint(file, dataset.rig, inspection);
-  checkFieldOfView(file, dataset.rig, inspection);
 }
 
 /// Also of a link that leads nowhere: reading it then names it, instead of going without it.

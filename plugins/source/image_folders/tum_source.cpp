@@ -113,7 +113,6 @@ Status TumSource::load(const ParameterValues& values, FolderParameters& shared,
   dataset.rig.calibrated = true;
   dataset.rig.pinhole = {p.fx, p.fy, p.cx, p.cy};
   checkPrincipalPoint("cx, cy", dataset.rig, inspection);
-  checkFieldOfView("fx, fy", dataset.rig, inspection);
   return Status::ok();
 }
 

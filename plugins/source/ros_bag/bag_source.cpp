@@ -45,6 +45,10 @@ std::string andMore(std::size_t more) {
                    : " (and " + std::to_string(more) + " more; `tolman dataset check` lists all)";
 }
 
+std::string sizeText(ImageSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
+}
+
 }  // namespace
 
 Status BagSource::configure(const Context& context) {
@@ -155,6 +159,23 @@ std::vector<std::string> BagSource::imageDoubts() const {
   return all;
 }
 
+/// What is odd in the depth images beside those of the camera, but may be right; after the table.
+std::vector<std::string> BagSource::depthDoubts() const {
+  std::vector<std::string> all;
+  if (chosen_.depth == nullptr) return all;
+  const std::string topic = chosen_.depth->topic.name + ": ";
+  if (table_.without_depth > 0) {
+    all.push_back(topic + std::to_string(table_.without_depth) + " of " +
+                  std::to_string(table_.rows.size()) +
+                  " frames have no depth image within the tolerance; set tolerance");
+  }
+  if (depth_size_ != size_) {
+    all.push_back(topic + "its images have " + sizeText(depth_size_) + ", those of the camera " +
+                  sizeText(size_) + "; take depth that is registered to the camera's image");
+  }
+  return all;
+}
+
 /// Refuses damaged messages, wrong clocks, messages without times between others, and cameras that
 /// change within the bag.
 Status BagSource::judgeTopics(Logger& log) const {
@@ -240,6 +261,7 @@ Status BagSource::makeSequence(Logger& log) {
     log.warning(parameters_.path + ": " + std::to_string(table_.right_alone) + " images of " +
                 chosen_.right->topic.name + " have no left one within the tolerance");
   }
+  for (const std::string& doubt : depthDoubts()) log.warning(parameters_.path + ": " + doubt);
   std::vector<std::int64_t> stamps;
   for (const FrameRow& row : table_.rows) stamps.push_back(chosen_.left->index[row.left].stamp_ns);
   Result<FrameSequence> sequence = FrameSequence::make(parameters_, stamps);
@@ -260,8 +282,7 @@ Status BagSource::info(SourceInfo& info) {
   info.description = std::string(ros1 ? "ROS 1 bag, " : "ROS 2 bag, ") +
                      std::to_string(sequence_.size()) +
                      (pair ? " stereo pairs of " : " images of ") + chosen_.left->topic.name +
-                     (pair ? " and " + chosen_.right->topic.name : "") + ", " +
-                     std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px";
+                     (pair ? " and " + chosen_.right->topic.name : "") + ", " + sizeText(size_);
   info.description += rigs_.suffix();
   const std::string lost = bag_->lostMessages();
   if (!lost.empty()) info.description += "; " + lost + " could not be read";
@@ -425,8 +446,9 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
                         std::to_string(table_.right_alone) +
                             " images have no left one within the tolerance; set tolerance"});
   }
-  for (const std::string& problem : odometry_problems_) {
-    findings.push_back({Severity::Warning, "", problem});
+  for (const auto& problems : {depthDoubts(), odometry_problems_}) {
+    for (const std::string& problem : problems)
+      findings.push_back({Severity::Warning, "", problem});
   }
   findings.push_back({Severity::Note, parameters_.path, found.description});
   return Status::ok();

@@ -36,6 +36,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status judgeProblems(Logger& log) const;
   std::vector<std::string> messageProblems() const;
   std::vector<std::string> imageDoubts() const;
+  std::vector<std::string> depthDoubts() const;
   Status judgeTopics(Logger& log) const;
   /// The size of the first image whose header is sound.
   Status findSize();

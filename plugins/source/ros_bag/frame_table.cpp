@@ -25,6 +25,14 @@ std::int64_t smallestDistance(const std::vector<BagMessage>& left,
   return smallest;
 }
 
+/// `others` is never beside `left`. `remedy`: beside setting the tolerance.
+Status neverBeside(const BagTopic& left, const BagTopic& others, const char* remedy) {
+  const double apart_s = static_cast<double>(smallestDistance(left.index, others.index)) * 1e-9;
+  return Status::invalidInput("no image of " + others.topic.name + " has the stamp of one of " +
+                              left.topic.name + ": the nearest are " + std::to_string(apart_s) +
+                              " s apart; set tolerance, or " + remedy);
+}
+
 }  // namespace
 
 std::vector<std::optional<std::size_t>> matchStamps(const std::vector<BagMessage>& left,
@@ -61,13 +69,13 @@ Result<FrameTable> makeFrameTable(const BagTopic& left, const BagTopic* right,
       continue;
     }
     table.rows.push_back({l, right == nullptr ? 0 : *pairs[l], depths[l]});
+    if (depth != nullptr && !depths[l]) ++table.without_depth;
   }
   if (right != nullptr) table.right_alone = right->index.size() - table.rows.size();
-  if (!table.rows.empty()) return table;
-  const double apart_s = static_cast<double>(smallestDistance(left.index, right->index)) * 1e-9;
-  return Status::invalidInput("no image of " + right->topic.name + " has the stamp of one of " +
-                              left.topic.name + ": the nearest are " + std::to_string(apart_s) +
-                              " s apart; set tolerance, or mono: true");
+  if (table.rows.empty()) return neverBeside(left, *right, "mono: true");
+  const bool is_depth_useless = depth != nullptr && table.without_depth == table.rows.size();
+  if (is_depth_useless) return neverBeside(left, *depth, "leave out depth");
+  return table;
 }
 
 }  // namespace tolman::ros_bag

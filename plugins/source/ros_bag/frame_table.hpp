@@ -20,9 +20,10 @@ struct FrameRow {
 };
 
 struct FrameTable {
-  std::vector<FrameRow> rows;   ///< by the stamp of the left image
-  std::size_t left_alone = 0;   ///< number of left images without a right one, which are left out
-  std::size_t right_alone = 0;  ///< number of right images without a left one
+  std::vector<FrameRow> rows;     ///< by the stamp of the left image
+  std::size_t left_alone = 0;     ///< number of left images without a right one, which are left out
+  std::size_t right_alone = 0;    ///< number of right images without a left one
+  std::size_t without_depth = 0;  ///< number of rows, where a depth topic is chosen
 };
 
 /// For each message of `left` the one of `others` with the nearest stamp, if within the tolerance;
@@ -31,7 +32,8 @@ std::vector<std::optional<std::size_t>> matchStamps(const std::vector<BagMessage
                                                     const std::vector<BagMessage>& others,
                                                     std::int64_t tolerance_ns);
 
-/// InvalidInput if no left image has a right one; the message contains their difference in time.
+/// InvalidInput if no left image has a right one, or no frame a depth image; the message contains
+/// their difference in time.
 Result<FrameTable> makeFrameTable(const BagTopic& left, const BagTopic* right,
                                   const BagTopic* depth, std::int64_t tolerance_ns);
 

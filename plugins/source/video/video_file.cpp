@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "jpeg_decoder.hpp"
 #include "libav_error.hpp"
 
 extern "C" {
@@ -40,7 +41,16 @@ int quarterTurns(const AVStream& stream) {
 /// several streams it is that of the longest one, which is not used.
 std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream) {
   const std::int64_t start = stream.start_time == AV_NOPTS_VALUE ? 0 : stream.start_time;
-  if (stream.nb_frames > 0 && stream.duration > 0) return start + stream.duration;
+  if (stream.nb_frames > 0 && stream.duration > 0) {
+    // Of an AVI file without its index FFmpeg shortens the duration to what there is.
+    const bool is_avi = std::string_view(container.iformat->name) == "avi";
+    const AVRational rate = stream.avg_frame_rate;
+    const std::int64_t pictures =
+        is_avi && rate.num > 0 && rate.den > 0
+            ? av_rescale_q(stream.nb_frames, {rate.den, rate.num}, stream.time_base)
+            : 0;
+    return start + std::max(stream.duration, pictures);
+  }
   const bool in_header = container.duration_estimation_method == AVFMT_DURATION_FROM_STREAM;
   if (container.nb_streams != 1 || !in_header || container.duration <= 0) return std::nullopt;
   return start + av_rescale_q(container.duration, {1, AV_TIME_BASE}, stream.time_base);
@@ -52,11 +62,24 @@ std::string rounded(double value) {
   return text.data();
 }
 
+std::span<const std::uint8_t> bytesOf(const AVPacket& packet) {
+  return {packet.data, static_cast<std::size_t>(packet.size)};
+}
+
+/// Whether a picture of a Motion JPEG can be decoded as a JPEG file; FFmpeg conceals damage. True
+/// for variants of the format.
+bool isSoundJpeg(const AVPacket& packet) {
+  constexpr std::array<std::uint8_t, 2> kBegin = {0xff, 0xd8};
+  const auto bytes = bytesOf(packet);
+  return !std::equal(kBegin.begin(), kBegin.end(), bytes.begin()) ||
+         jpeg_images::checkJpeg(bytes).isOk();
+}
+
 /// Whether a picture of a Motion JPEG ends with the marker EOI. Without it FFmpeg fills in the
 /// missing part.
 bool hasJpegEnd(const AVPacket& packet) {
   constexpr std::array<std::uint8_t, 2> kEnd = {0xff, 0xd9};
-  const std::span<const std::uint8_t> bytes(packet.data, static_cast<std::size_t>(packet.size));
+  const auto bytes = bytesOf(packet);
   // Not of std::ranges: clang 14, and so clang-tidy, cannot compile its result.
   return std::find_end(bytes.begin(), bytes.end(), kEnd.begin(), kEnd.end()) != bytes.end();
 }
@@ -197,9 +220,10 @@ Status VideoFile::feed() {
                : Status::failed(path_.string() + ": the decoder fails: " + libavError(ended));
   }
   if (packet_->stream_index != stream_->index) return Status::ok();
-  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 ||
-         (stream_->codecpar->codec_id == AV_CODEC_ID_MJPEG && !hasJpegEnd(*packet_));
+  const bool is_jpeg = stream_->codecpar->codec_id == AV_CODEC_ID_MJPEG;
+  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 || (is_jpeg && !hasJpegEnd(*packet_));
   if (cut_) damage_ = "its data are not complete";
+  if (is_jpeg && !cut_ && !isSoundJpeg(*packet_)) damage_ = "its data cannot be decoded";
   if (packet_->pts != AV_NOPTS_VALUE) end_ = std::max(end_, packet_->pts + packet_->duration);
   const int sent = avcodec_send_packet(decoder_, packet_);
   if (sent < 0 && sent != AVERROR(EAGAIN)) damage_ = libavError(sent);

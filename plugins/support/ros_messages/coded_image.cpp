@@ -4,6 +4,7 @@
 #include <new>
 #include <opencv2/imgcodecs.hpp>
 
+#include "jpeg_decoder.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::ros_messages {
@@ -45,6 +46,8 @@ Result<ImageSize> jpegSize(Bytes coded) {
   return Status::invalidInput("is a JPEG image with a damaged header");
 }
 
+bool isJpeg(Bytes coded) { return asText(coded).starts_with("\xff\xd8"sv); }
+
 cv::Mat eightBits(const cv::Mat& pixels, DeepPixels& deep) {
   cv::Mat converted(pixels.rows, pixels.cols, CV_MAKETYPE(CV_8U, pixels.channels()));
   for (int y = 0; y < pixels.rows; ++y) {
@@ -53,6 +56,21 @@ cv::Mat eightBits(const cv::Mat& pixels, DeepPixels& deep) {
                    [&](std::uint16_t value) { return deep.convert(value); });
   }
   return converted;
+}
+
+Result<Image> decodePng(Bytes coded, bool colour, DeepPixels& deep) {
+  const cv::Mat bytes(1, static_cast<int>(coded.size()), CV_8UC1,
+                      const_cast<std::uint8_t*>(coded.data()));
+  const int mode = (colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE) | cv::IMREAD_ANYDEPTH |
+                   cv::IMREAD_IGNORE_ORIENTATION;
+  try {
+    const cv::Mat pixels = cv::imdecode(bytes, mode);
+    if (!pixels.empty())
+      return asImage(pixels.depth() == CV_16U ? eightBits(pixels, deep) : pixels);
+  } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
+  }
+  return Status::invalidInput("cannot be decoded");
 }
 
 }  // namespace
@@ -68,29 +86,19 @@ Result<ImageSize> plausibleSize(std::uint64_t width, std::uint64_t height) {
 
 Result<ImageSize> codedSize(Bytes coded) {
   if (asText(coded).starts_with("\x89PNG\r\n\x1a\n"sv)) return pngSize(coded);
-  if (asText(coded).starts_with("\xff\xd8"sv)) return jpegSize(coded);
+  if (isJpeg(coded)) return jpegSize(coded);
   return Status::invalidInput("is neither a JPEG nor a PNG image");
 }
 
 Result<Image> decodeImage(Bytes coded, bool colour, DeepPixels& deep) {
   const Result<ImageSize> size = codedSize(coded);
   if (!size.isOk()) return size.status();
-  const cv::Mat bytes(1, static_cast<int>(coded.size()), CV_8UC1,
-                      const_cast<std::uint8_t*>(coded.data()));
-  const int mode = (colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE) | cv::IMREAD_ANYDEPTH |
-                   cv::IMREAD_IGNORE_ORIENTATION;
-  cv::Mat pixels;
-  try {
-    pixels = cv::imdecode(bytes, mode);
-  } catch (const cv::Exception& error) {
-    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
-    return Status::invalidInput("cannot be decoded");
+  Result<Image> image =
+      isJpeg(coded) ? jpeg_images::decodeJpeg(coded, colour) : decodePng(coded, colour, deep);
+  if (!image.isOk() || ImageSize{image.value().width(), image.value().height()} == size.value()) {
+    return image;
   }
-  if (pixels.empty()) return Status::invalidInput("cannot be decoded");
-  if (ImageSize{pixels.cols, pixels.rows} != size.value()) {
-    return Status::invalidInput("has a damaged header");
-  }
-  return asImage(pixels.depth() == CV_16U ? eightBits(pixels, deep) : pixels);
+  return Status::invalidInput("has a damaged header");
 }
 
 }  // namespace tolman::ros_messages

@@ -141,51 +141,6 @@ TEST_CASE("the description says what there is and what of it is used") {
         "folders, 20 from 51 stereo pairs of 1226x370 px at 9.7 Hz, baseline 0.5372 m, with truth");
 }
 
-TEST_CASE("a field of view that rectified cameras hardly have is a warning") {
-  CameraRig rig;
-  rig.width = 1226;
-  rig.height = 370;
-  const auto warnings = [&](double fx, double fy) {
-    rig.pinhole = {fx, fy, 601.9, 183.1};
-    Inspection inspection;
-    checkFieldOfView("calib.txt", rig, inspection);
-    CHECK_FALSE(inspection.hasErrors());
-    return inspection.findings();
-  };
-  CHECK(warnings(707.1, 707.1).empty());  // KITTI 06
-  CHECK(warnings(400, 400).empty());      // 114 degrees
-  const auto halved = warnings(353.5, 353.5);
-  REQUIRE(halved.size() == 1);
-  CHECK(halved[0].message ==
-        "focal length (353.5, 353.5) gives the 1226x370 image a view of 120 degrees, which "
-        "rectified cameras hardly have; is it that of these images, in pixels? Depths and ways are "
-        "wrong by its error");
-  CHECK(warnings(353.5, 707.1).size() == 1);
-  CHECK(warnings(707.1, 100).size() == 1);
-  CHECK(warnings(70710, 70710).size() == 1);
-}
-
-TEST_CASE("a principal point far from the middle is a warning: were the images resized?") {
-  CameraRig rig;
-  rig.width = 613;
-  rig.height = 185;
-  const auto warnings = [&](double cx, double cy) {
-    rig.pinhole = {718.9, 718.9, cx, cy};
-    Inspection inspection;
-    checkPrincipalPoint("calib.txt", rig, inspection);
-    CHECK_FALSE(inspection.hasErrors());
-    return inspection.findings();
-  };
-  const auto resized = warnings(601.9, 183.1);
-  REQUIRE(resized.size() == 1);
-  CHECK(resized[0].message ==
-        "principal point (601.9, 183.1) is far from the middle of the 613x185 image; were the "
-        "images resized after the calibration? Then scale fx, fy, cx, cy as well");
-  CHECK(warnings(300.9, 91.5).empty());
-  CHECK(warnings(0.26 * 613, 0.74 * 185).empty());
-  CHECK(warnings(0.24 * 613, 92).size() == 1);
-}
-
 TEST_CASE("a principal point on the border or beyond is an error, just inside is none") {
   CameraRig rig;
   rig.width = 100;

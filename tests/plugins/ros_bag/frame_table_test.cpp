@@ -43,6 +43,16 @@ TEST_CASE("frames of a pair with depth") {
   CHECK(table.value().rows[1].right == 1);
   CHECK(table.value().rows[1].depth == 0);
   CHECK_FALSE(table.value().rows[2].depth);
+  CHECK(table.value().without_depth == 2);
+}
+
+TEST_CASE("depth images whose stamps never meet those of the camera") {
+  const BagTopic left = topicAt("/l", {1'000'000'000, 1'100'000'000});
+  const BagTopic depth = topicAt("/d", {1'013'000'000, 1'113'000'000});
+  CHECK(makeFrameTable(left, nullptr, &depth, 5'000'000).status().message() ==
+        "no image of /d has the stamp of one of /l: the nearest are 0.013000 s apart; set "
+        "tolerance, or leave out depth");
+  CHECK(makeFrameTable(left, nullptr, &depth, 20'000'000).value().without_depth == 0);
 }
 
 TEST_CASE("cameras whose stamps never meet") {

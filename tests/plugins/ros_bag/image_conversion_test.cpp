@@ -141,6 +141,22 @@ TEST_CASE("a JPEG and a PNG image in a message, and cut ones") {
   }
 }
 
+TEST_CASE("a JPEG image in a message whose second half is damaged, although it has its end") {
+  cv::Mat picture(120, 160, CV_8UC1);
+  cv::RNG(3).fill(picture, cv::RNG::UNIFORM, 0, 255);
+  std::vector<std::uint8_t> coded;
+  cv::imencode(".jpg", picture, coded);
+  std::string bytes(coded.begin(), coded.end());
+  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2), bytes.end() - 2, '\0');
+  const std::string message = test::compressedImageMessage(1, "jpeg", bytes);
+  for (const bool colour : {false, true}) {
+    const Status status =
+        convertImage(std::string(kCompressedImage), asBytes(message), colour).status();
+    CHECK_THAT(status.message(),
+               Catch::StartsWith("cannot be decoded, its data are damaged (libjpeg"));
+  }
+}
+
 TEST_CASE("what cannot be converted says why") {
   CHECK(convert({1, 640, 480, "rgb8", std::string(480, 'x')}, false).status().message() ==
         "has rows of 1 bytes instead of 1920");

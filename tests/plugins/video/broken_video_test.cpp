@@ -34,6 +34,19 @@ void writeNoise(const std::filesystem::path& file, const std::string& codec, int
   writeVideo(file, codec, 25, pictures);
 }
 
+std::string bytesOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Where picture `index` of an AVI file begins.
+std::size_t chunkOf(const std::string& bytes, int index) {
+  std::size_t at = bytes.find("movi");
+  for (int i = 0; i <= index; ++i) at = bytes.find("00dc", at + 4);
+  REQUIRE(at != std::string::npos);
+  return at;
+}
+
 }  // namespace
 
 TEST_CASE("what is no video is refused with a remedy") {
@@ -99,6 +112,19 @@ TEST_CASE("a recording that ends between two pictures, before the end that it pr
   CHECK(backward.frames.size() == sound);
 }
 
+TEST_CASE("an AVI file that ends between two pictures, before the end that it promises") {
+  for (const int pictures : {9, 15, 28}) {
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "video.avi";
+    writeNoise(file, "MJPG");
+    const std::string bytes = bytesOf(file);
+    std::ofstream(file, std::ios::binary) << bytes.substr(0, chunkOf(bytes, pictures));
+    CHECK_THAT(Played(file).message, Catch::StartsWith("video.avi: ends before the end that its "
+                                                       "header promises, after " +
+                                                       std::to_string(pictures)));
+  }
+}
+
 TEST_CASE("a picture that is damaged in the middle of a sound file") {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "video.avi";
@@ -114,19 +140,18 @@ TEST_CASE("a picture that is damaged in the middle of a sound file") {
   CHECK(skipped.frames.size() >= 28);
 }
 
-TEST_CASE("a picture of a Motion JPEG that has lost its second half") {
+TEST_CASE("a picture of a Motion JPEG that has lost its second half, with or without its end") {
+  const bool keeps_end = GENERATE(false, true);
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "video.avi";
   writeNoise(file, "MJPG");
-  std::ifstream whole(file, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(whole)), {});
-  std::size_t chunk = 0;  // of one of the last pictures
-  for (int i = 0; i < 20; ++i) chunk = bytes.find("00dc", chunk + 4);
-  const std::size_t next = bytes.find("00dc", chunk + 4);
-  REQUIRE(next != std::string::npos);
+  std::string bytes = bytesOf(file);
+  const std::size_t chunk = chunkOf(bytes, 18);
+  const std::size_t next = chunkOf(bytes, 19);
   const std::size_t half = (chunk + next) / 2;
+  const std::size_t end = keeps_end ? bytes.rfind("\xff\xd9", next) : next;
   std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(half),
-            bytes.begin() + static_cast<std::ptrdiff_t>(next), '\0');
+            bytes.begin() + static_cast<std::ptrdiff_t>(end), '\0');
   std::ofstream(file, std::ios::binary) << bytes;
   CHECK_THAT(Played(file).message, Catch::Contains("picture 18 is damaged"));
   const Played skipped(file, {{"on_corrupt", std::string("skip")}});

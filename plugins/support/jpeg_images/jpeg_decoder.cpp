@@ -11,7 +11,7 @@
 #include <new>
 #include <string>
 
-namespace tolman::image_folders {
+namespace tolman::jpeg_images {
 namespace {
 
 /// More than encoders write. Each scan of a progressive file is a pass over all pixels, so a
@@ -68,6 +68,14 @@ bool readPixels(jpeg_decompress_struct& jpeg, Errors& errors, std::uint8_t* pixe
   return true;
 }
 
+/// Reads all codes without computing pixels. As for readHeader(), no object may have a destructor.
+bool readCodes(jpeg_decompress_struct& jpeg, Errors& errors) {
+  if (setjmp(errors.leave) != 0) return false;
+  jpeg_read_coefficients(&jpeg);
+  jpeg_finish_decompress(&jpeg);
+  return true;
+}
+
 /// libjpeg's state for one image.
 class JpegReader {
  public:
@@ -81,12 +89,13 @@ class JpegReader {
   JpegReader(const JpegReader&) = delete;
   JpegReader& operator=(const JpegReader&) = delete;
 
+  Status check(std::span<const std::uint8_t> bytes) {
+    const Status begun = begin(bytes);
+    return begun.isOk() && !readCodes(jpeg_, errors_) ? problem() : begun;
+  }
+
   Result<Image> decode(std::span<const std::uint8_t> bytes, bool colour) {
-    if (!readHeader(jpeg_, errors_, bytes)) return problem();
-    if (jpeg_.jpeg_color_space == JCS_CMYK || jpeg_.jpeg_color_space == JCS_YCCK) {
-      return Status::invalidInput("is a JPEG file for printing (CMYK); convert it to grey or RGB");
-    }
-    jpeg_.progress = &progress_;
+    if (Status begun = begin(bytes); !begun.isOk()) return begun;
     jpeg_.out_color_space = colour ? JCS_EXT_BGR : JCS_GRAYSCALE;
     const PixelFormat format = colour ? PixelFormat::Bgr8 : PixelFormat::Gray8;
     const auto stride = std::size_t{jpeg_.image_width} * (colour ? 3 : 1);
@@ -99,6 +108,15 @@ class JpegReader {
   }
 
  private:
+  Status begin(std::span<const std::uint8_t> bytes) {
+    if (!readHeader(jpeg_, errors_, bytes)) return problem();
+    jpeg_.progress = &progress_;
+    const bool is_for_printing =
+        jpeg_.jpeg_color_space == JCS_CMYK || jpeg_.jpeg_color_space == JCS_YCCK;
+    if (!is_for_printing) return Status::ok();
+    return Status::invalidInput("is a JPEG file for printing (CMYK); convert it to grey or RGB");
+  }
+
   Status problem() const {
     const std::string text = errors_.message.data();
     if (errors_.base.msg_code == JERR_OUT_OF_MEMORY) throw std::bad_alloc();
@@ -116,4 +134,6 @@ Result<Image> decodeJpeg(std::span<const std::uint8_t> bytes, bool colour) {
   return JpegReader().decode(bytes, colour);
 }
 
-}  // namespace tolman::image_folders
+Status checkJpeg(std::span<const std::uint8_t> bytes) { return JpegReader().check(bytes); }
+
+}  // namespace tolman::jpeg_images

@@ -15,7 +15,7 @@
 #include "tolman/context.hpp"
 #include "tolman/image_cv.hpp"
 
-namespace tolman::image_folders {
+namespace tolman::jpeg_images {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -86,6 +86,7 @@ TEST_CASE("sound JPEG data give the pixels that OpenCV gives") {
   const Result<Image> colour = decodeJpeg(bytes, true);
   REQUIRE(colour.isOk());
   CHECK(difference(colour.value(), cv::imdecode(bytes, cv::IMREAD_COLOR)) <= 1);
+  CHECK(checkJpeg(bytes).isOk());
 }
 
 TEST_CASE("damaged entropy-coded data are a failure where OpenCV shows a wrong image") {
@@ -105,6 +106,7 @@ TEST_CASE("damaged entropy-coded data are a failure where OpenCV shows a wrong i
     const cv::Mat shown = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
     shown_by_opencv += !shown.empty() && cv::norm(shown, expected, cv::NORM_INF) > 30 ? 1 : 0;
     const Result<Image> image = decodeJpeg(bytes, false);
+    CHECK(checkJpeg(bytes).message() == image.status().message());
     if (image.isOk()) continue;
     ++refused;
     CHECK(image.status().code() == StatusCode::InvalidInput);
@@ -122,12 +124,26 @@ TEST_CASE("JPEG data for printing are refused as such, not as damaged") {
   }
 }
 
+TEST_CASE("pictures of a Motion JPEG may leave out the usual tables of codes") {
+  Bytes bytes = encoded(CV_8UC3);
+  for (std::size_t at = 2; at + 4 < dataBegin(bytes) - 2;) {  // segment by segment
+    const std::size_t size = 2 + bytes[at + 2] * 256U + bytes[at + 3];
+    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+    const bool is_table = bytes[at + 1] == 0xc4;
+    if (is_table) bytes.erase(begin, begin + static_cast<std::ptrdiff_t>(size));
+    at += is_table ? 0 : size;
+  }
+  CHECK(bytes.size() + 300 < encoded(CV_8UC3).size());
+  CHECK(checkJpeg(bytes).isOk());
+}
+
 TEST_CASE("truncated JPEG data are a failure at every length") {
   const Bytes sound = encoded(CV_8UC3);
   for (std::size_t size = 0; size + 2 < sound.size(); size += 37) {
     CAPTURE(size, sound.size());
     CHECK_FALSE(decodeJpeg(std::span(sound).first(size), true).isOk());
+    CHECK_FALSE(checkJpeg(std::span(sound).first(size)).isOk());
   }
 }
 
-}  // namespace tolman::image_folders
+}  // namespace tolman::jpeg_images
