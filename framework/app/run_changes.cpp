@@ -66,6 +66,19 @@ void addPluginChanges(const Json& old, const Json& now, std::vector<std::string>
   }
 }
 
+/// Adds frames that a realtime run passed by, which depends on the speed of the machine.
+void addDroppedFrames(const Json& before, const Json& after, std::vector<std::string>& changes) {
+  for (const auto& [key, what] : {std::pair("dropped", "were dropped"),
+                                  std::pair("place_left_out", "went without place recognition")}) {
+    const Json old = part(part(before, "counters"), key);
+    const Json now = part(part(after, "counters"), key);
+    if (!old.is_number_integer() || !now.is_number_integer() || (old == 0 && now == 0)) continue;
+    changes.push_back(fmt::format(
+        "realtime: {} frames {}, then {}; which ones depends on the speed of the machine",
+        old.get<std::int64_t>(), what, now.get<std::int64_t>()));
+  }
+}
+
 /// Differences between two run.json that can change results, one line each.
 std::vector<std::string> changesIn(const Json& before, const Json& after) {
   if (!before.is_object()) return {"not known: the earlier run.json is missing or damaged"};
@@ -89,6 +102,7 @@ std::vector<std::string> changesIn(const Json& before, const Json& after) {
   }
   std::ranges::copy(changedData(part(before, "data"), part(after, "data")),
                     std::back_inserter(changes));
+  addDroppedFrames(before, after, changes);
   return changes;
 }
 

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "app/terminal_output.hpp"
+#include "bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "dataset/rendering.hpp"
 #include "host/guard.hpp"
@@ -86,7 +87,7 @@ std::string lastLine(std::string text) {
 std::optional<Probe> readProbe(const std::string& output) {
   const std::size_t begin = output.rfind("\n{");
   if (begin == std::string::npos) return std::nullopt;
-  const auto json = nlohmann::json::parse(output.substr(begin + 1), nullptr, false);
+  const auto json = bounded_json::parse<nlohmann::json>(output.substr(begin + 1));
   if (!json.is_object()) return std::nullopt;
   Probe probe;
   probe.description = json.value("description", "");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bounded_json.hpp"
 #include "open_files.hpp"
 #include "report/axes.hpp"
 #include "text_encoding.hpp"
@@ -48,7 +49,7 @@ Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file) {
   if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
     return Status::invalidInput(file.string() + ": " + problem);
   }
-  const json measured = json::parse(stream, nullptr, false);
+  const json measured = bounded_json::parse<json>(stream);
   const auto curve = measured.is_discarded() ? std::nullopt : curveIn(measured);
   if (!curve) {
     return Status::invalidInput(file.string() +

@@ -33,6 +33,11 @@ Result<std::vector<std::string>> readPath(const std::string& argument) {
   if (std::ranges::find(path, "") != path.end()) {
     return Status::invalidParameter("the key path has an empty part");
   }
+  constexpr std::size_t kDeepest = 20;  // the keys of configurations have five parts at most
+  if (path.size() > kDeepest) {
+    return Status::invalidParameter("the key path has " + std::to_string(path.size()) +
+                                    " parts, more than any key");
+  }
   if (path.front() == "extends") {
     return Status::invalidParameter("'extends' is allowed in files only");
   }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bounded_json.hpp"
 #include "config/json_integer.hpp"
 
 namespace tolman::conformance {
@@ -55,7 +56,7 @@ std::string encode(const CheckMessage& message) {
 std::optional<CheckMessage> decodeMessage(const std::string& line) {
   try {
     CheckMessage message;
-    read(Json::parse(line), message);
+    read(bounded_json::parse<Json>(line), message);
     return message;
   } catch (const std::exception&) {
     return std::nullopt;

@@ -10,6 +10,7 @@
 
 #include "evaluation/axes_hint.hpp"
 #include "evaluation/held_truth.hpp"
+#include "evaluation/mirror_hint.hpp"
 #include "evaluation/open_turn.hpp"
 #include "evaluation/session_frames.hpp"
 #include "tolman/fields.hpp"
@@ -207,6 +208,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);
   if (metrics.warning.empty()) metrics.warning = speedHint(pairs);
   if (metrics.warning.empty()) metrics.warning = rotationHint(pairs);
+  if (metrics.warning.empty()) metrics.warning = mirrorHint(pairs);
   scores.rpe_frame = relativeErrorOverFrames(pairs);
   scores.rpe_metre = relativeErrorOverDistance(pairs);
   scores.kitti = segmentErrors(pairs, lengths.value_or(lengthsFor(pathLength(pairs.truth))));

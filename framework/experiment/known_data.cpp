@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "record/atomic_file.hpp"
 #include "record/regular_file.hpp"
@@ -14,7 +15,7 @@ using nlohmann::ordered_json;
 std::map<std::string, record::DataDigest> readKnownData(const std::filesystem::path& sweep) {
   std::map<std::string, record::DataDigest> known;
   std::ifstream stream = record::openRegular(sweep / "data.json");
-  const auto json = ordered_json::parse(stream, nullptr, false);
+  const auto json = bounded_json::parse<ordered_json>(stream);
   if (!json.is_object()) return known;
   for (const auto& [path, data] : json.items()) {
     if (!data.is_object()) continue;

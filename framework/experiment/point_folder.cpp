@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "config/named_value.hpp"
 #include "config/paths.hpp"
@@ -122,7 +123,7 @@ PointOutcome writtenOutcome(const Json& json, const fs::path& folder) {
 
 Json readJson(const fs::path& file) {
   std::ifstream stream = record::openRegular(file);
-  return Json::parse(stream, nullptr, false);
+  return bounded_json::parse<Json>(stream);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "bounded_json.hpp"
 #include "config/differences.hpp"
 #include "config/loader.hpp"
 #include "config/paths.hpp"
@@ -49,7 +50,7 @@ Result<RunRow> readRun(const fs::path& directory) {
   RunRow row;
   row.directory = directory;
   std::ifstream stream = record::openRegular(directory / "metrics.json");
-  const Json metrics = Json::parse(stream, nullptr, false);
+  const Json metrics = bounded_json::parse<Json>(stream);
   std::error_code ignored;
   if (!metrics.is_object() && !fs::exists(directory, ignored)) {
     return Status::invalidInput(directory.string() + ": " +

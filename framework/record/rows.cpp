@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bounded_json.hpp"
 #include "record/sqlite.hpp"
 
 namespace tolman::record {
@@ -25,7 +26,7 @@ RecordedArrayInfo toRow(const ArrayInfo& info) {
 ArrayInfo fromRow(const RecordedArrayInfo& row) {
   ArrayInfo info{row.name, row.kind, row.unit, row.doc, row.population, {}};
   try {
-    for (const Json& json : Json::parse(row.axes)) {
+    for (const Json& json : bounded_json::parse<Json>(row.axes)) {
       ArrayAxis& axis = info.axes.emplace_back();
       visitFields(axis, [&](const Field& field, auto& value) {
         json.at(std::string(field.name)).get_to(value);

@@ -12,6 +12,7 @@
 #include <span>
 #include <system_error>
 
+#include "bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "config/paths.hpp"
 #include "record/descriptor_limit.hpp"
@@ -187,7 +188,7 @@ bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
 
 nlohmann::ordered_json RunDirectory::readRunFile(const std::filesystem::path& path) {
   std::ifstream file = openRegular(path / "run.json");
-  auto json = nlohmann::ordered_json::parse(file, nullptr, false);
+  auto json = bounded_json::parse<nlohmann::ordered_json>(file);
   return json.is_discarded() ? nullptr : json;
 }
 

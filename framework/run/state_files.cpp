@@ -5,6 +5,7 @@
 
 #include <iterator>
 
+#include "bounded_json.hpp"
 #include "config/json_integer.hpp"
 #include "config/json_text.hpp"
 #include "record/atomic_file.hpp"
@@ -153,7 +154,7 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
 }
 
 Json readContents(const fs::path& file) {
-  Json json = Json::parse(textOf(file), nullptr, false);
+  Json json = bounded_json::parse<Json>(textOf(file));
   if (!json.is_object())
     refuseToContinue(file.string() + ": is damaged; run the earlier session again");
   const int format = config::integerFrom<int>(json.at("format"));

@@ -81,6 +81,10 @@ TEST_CASE("An illegal --set is reported as typed") {
       {"seed", "--set seed: write --set key.path=value\n"},
       {"=1", "--set =1: the key path has an empty part\n"},
       {"source..path=1", "--set source..path=1: the key path has an empty part\n"},
+      {"a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a=1",
+       "--set a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a=1: the key path has 21 parts, more than "
+       "any "
+       "key\n"},
       {"extends=b.yaml", "--set extends=b.yaml: 'extends' is allowed in files only\n"},
       {"odometry.pyramid=[1",
        "--set odometry.pyramid=[1: cannot read this YAML: a '[' has no ']'\n"},

@@ -108,12 +108,14 @@ TEST_CASE("a child that a plugin in the host has forked may end as it likes") {
   CHECK(finished.exit_code == 0);
 }
 
-TEST_CASE("a child that a plugin has forked, and that returns from the call, is ended") {
-  const Finished finished = inHost("fork_and_return");
-  INFO(finished.err);
-  CHECK(finished.exit_code == 0);
-  CHECK(contains(finished.err, "odometry: a child that the plugin forked has returned"));
-  CHECK(contains(finished.out, "6 processed"));
+TEST_CASE("a child that a plugin has forked, and that comes back from the call, is ended") {
+  for (const char* plugin : {"fork_and_return", "fork_and_throw"}) {
+    const Finished finished = inHost(plugin);
+    INFO(plugin << ": " << finished.err);
+    CHECK(finished.exit_code == 0);
+    CHECK(contains(finished.err, "odometry: a child that the plugin forked has returned"));
+    CHECK(contains(finished.out, "6 processed"));
+  }
 }
 
 TEST_CASE("on_failure: skip goes on without the stage") {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "bounded_json.hpp"
+
 namespace tolman::web_viewer {
 namespace {
 
@@ -23,7 +25,7 @@ void LiveClient::opened() {
 
 /// The only command is {"type":"flow","live":true|false}: whether to send images and arrays.
 bool LiveClient::onCommand(std::string_view command) {
-  const auto json = nlohmann::json::parse(command, nullptr, false);
+  const auto json = bounded_json::parse<nlohmann::json>(command);
   const bool known = json.is_object() && json.size() == 2 && json.contains("type") &&
                      json["type"] == "flow" && json.contains("live") && json["live"].is_boolean();
   if (known) wants_arrays_ = json["live"].get<bool>();

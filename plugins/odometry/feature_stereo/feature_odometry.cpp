@@ -93,6 +93,8 @@ Status FeatureOdometry::reset() {
   lost_frames_ = 0;
   lost_s_ = 0;
   keyframe_tracks_ = 0;
+  fresh_depth_ = FreshDepth();
+  told_depth_ = false;
   return Status::ok();
 }
 
@@ -105,10 +107,32 @@ Status FeatureOdometry::track(const Frame& frame, Motion& motion) {
   motion.stamp_ns = frame.stamp_ns;
   motion.dt = last_stamp_ns_ < 0 ? 0 : 1e-9 * double(frame.stamp_ns - last_stamp_ns_);
   last_stamp_ns_ = frame.stamp_ns;
+  const NamedArray* depth = needsPair() ? nullptr : depthImage(frame);
+  const FreshDepth::Kind kind = fresh_depth_.judge(depth);
+  views_.depth = kind == FreshDepth::Kind::Fresh ? depth : nullptr;
   answer(lookAt(frame) ? &views_ : nullptr, motion);
   views_.depth = nullptr;  // it is the frame's
+  tellDepth(kind, motion);
   setPlanarVelocity(motion, motion.dt);
   return Status::ok();
+}
+
+void FeatureOdometry::tellDepth(FreshDepth::Kind kind, const Motion& motion) {
+  // A camera at rest may give an image twice in a simulation. Chosen, not tuned.
+  constexpr double kMoved_m = 0.01;
+  constexpr double kMoved_px = 1;
+  const Eigen::Isometry3d& T = motion.T_previous_current;
+  const double turned_px = rig_.pinhole.fx * Eigen::AngleAxisd(T.linear()).angle();
+  const bool has_moved = T.translation().norm() > kMoved_m || turned_px > kMoved_px;
+  const bool is_fault =
+      kind == FreshDepth::Kind::Constant || (kind == FreshDepth::Kind::Repeated && has_moved);
+  if (is_fault && !told_depth_) {
+    log_->warning(kind == FreshDepth::Kind::Constant
+                      ? "the depth image has one value everywhere; it is not used"
+                      : "the depth image repeats that of the frame before, although the camera "
+                        "moves; it is not used");
+  }
+  if (is_fault || kind == FreshDepth::Kind::Fresh) told_depth_ = is_fault;
 }
 
 bool FeatureOdometry::lookAt(const Frame& frame) {
@@ -118,8 +142,6 @@ bool FeatureOdometry::lookAt(const Frame& frame) {
     const cv::Mat right = usableGray(frame.right);
     if (right.empty()) return false;
     views_.right.build(right, track_settings_.window, stereo_settings_.track.levels);
-  } else {
-    views_.depth = depthImage(frame);
   }
   views_.left.build(left, track_settings_.window, track_settings_.levels);
   return true;
@@ -131,6 +153,7 @@ std::vector<float> FeatureOdometry::disparitiesOf(const Views& views,
   if (needsPair()) {
     return matchStereo(views.left, views.right, corners, guesses, stereo_settings_);
   }
+  if (views.depth == nullptr) return std::vector<float>(corners.size(), kNoDisparity);
   return depthDisparities(*views.depth, corners, rig_.pinhole.fx * rig_.baseline);
 }
 

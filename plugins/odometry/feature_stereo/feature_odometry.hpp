@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "corner_detection.hpp"
+#include "fresh_depth.hpp"
 #include "parameters.hpp"
 #include "pnp.hpp"
 #include "stereo_matching.hpp"
@@ -50,7 +51,7 @@ class FeatureOdometry : public Odometry {
   struct Views {
     FlowPyramid left;
     FlowPyramid right;                  ///< DisparityFrom::RightImage
-    const NamedArray* depth = nullptr;  ///< DisparityFrom::DepthImage; of the frame
+    const NamedArray* depth = nullptr;  ///< DisparityFrom::DepthImage; null: none to be used
   };
   struct Tracked {
     PoseEstimate pose;
@@ -61,7 +62,10 @@ class FeatureOdometry : public Odometry {
   Status readParameters(const ParameterValues& values);
   void useSettings();
   bool needsPair() const { return origin_ == DisparityFrom::RightImage; }
-  /// Whether the frame can be tracked: fills views_. False for images without contrast.
+  /// Warns where a fault of the depth images begins.
+  void tellDepth(FreshDepth::Kind kind, const Motion& motion);
+  /// Whether the frame can be tracked: fills the views of images. False for images without
+  /// contrast.
   bool lookAt(const Frame& frame);
   /// The disparity of each corner of the left view, or kNoDisparity; `guesses` as for
   /// matchStereo().
@@ -124,7 +128,9 @@ class FeatureOdometry : public Odometry {
   std::int64_t last_stamp_ns_ = -1;       ///< -1 before the first frame
   std::int64_t first_lost_ = -1;          ///< frame index; -1 while tracking
   int lost_frames_ = 0;
-  double lost_s_ = 0;                ///< s, duration of the predicted motions since first_lost_
+  double lost_s_ = 0;  ///< s, duration of the predicted motions since first_lost_
+  FreshDepth fresh_depth_;
+  bool told_depth_ = false;          ///< the fault that there is now
   std::size_t keyframe_tracks_ = 0;  ///< number of tracks at the last keyframe
 };
 

@@ -20,12 +20,25 @@ std::string pixels(ImageSize size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
+/// A failure whose message begins with the file.
+void addError(const fs::path& file, const Status& failure, std::vector<Finding>& findings) {
+  findings.push_back({Finding::Severity::Error, file.string(),
+                      failure.message().substr(file.string().size() + 2)});
+}
+
+/// An error if a file that checkImage() has accepted holds no depths.
+void checkDepth(const fs::path& file, ImageSize expected, std::vector<Finding>& findings) {
+  const Result<ImageHeader> header = checkImageFile(file);
+  if (!header.isOk() || header.value().size != expected) return;
+  const Status depth = readDepthFile(file, expected).status();
+  if (!depth.isOk()) addError(file, depth, findings);
+}
+
 void checkImage(const fs::path& file, ImageSize expected, ImageWarnings& warnings,
                 std::vector<Finding>& findings) {
   const Result<ImageHeader> header = checkImageFile(file);
   if (!header.isOk()) {
-    const std::string message = header.status().message().substr(file.string().size() + 2);
-    findings.push_back({Finding::Severity::Error, file.string(), message});
+    addError(file, header.status(), findings);
     return;
   }
   if (header.value().size != expected) {
@@ -151,10 +164,11 @@ std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames) {
 }
 
 void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings) {
-  for (const auto* files : {&dataset.left, &dataset.right}) {
+  for (const auto* files : {&dataset.left, &dataset.right, &dataset.depth}) {
     ImageWarnings warnings;
     for (const fs::path& file : *files) checkImage(file, dataset.size(), warnings, findings);
   }
+  if (!dataset.depth.empty()) checkDepth(dataset.depth.front(), dataset.size(), findings);
 }
 
 void checkUsedBits(const ImageDataset& dataset, int bits, std::vector<Finding>& findings) {

@@ -66,8 +66,8 @@ void readRawCameras(const std::vector<std::filesystem::path>& files, int kitti_l
 /// `frames` of them are used.
 std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames);
 
-/// An error finding for each image file that is damaged or of another size, and a warning of turned
-/// images, see ImageWarnings; nothing is decoded.
+/// An error finding for each image or depth file that is damaged or of another size, and a warning
+/// of turned images, see ImageWarnings; only the first depth file is decoded.
 void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings);
 
 /// Decodes the first left images if they have 16 bits, and warns if they use fewer than `bits`.

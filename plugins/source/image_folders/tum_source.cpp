@@ -80,9 +80,15 @@ void addTruth(const TumSource::Parameters& p, ImageDataset& dataset, Inspection&
     if (const auto pose = poseAt(truth, stamp, apart(p))) poses.push_back(*pose);
   }
   if (poses.empty() && !truth.stamps_ns.empty() && !dataset.stamps_ns.empty()) {
-    inspection.error(file,
-                     "has no pose near the time of any image, so it is of another recording; put "
-                     "back that of this one, or remove it to run without truth");
+    const bool covers = truth.stamps_ns.front() <= dataset.stamps_ns.back() &&
+                        dataset.stamps_ns.front() <= truth.stamps_ns.back();
+    inspection.error(file, covers ? "has no poses on both sides of the time of any image within " +
+                                        fixed(p.most_apart, 3) +
+                                        " s, although it is of the same time; set most_apart, or "
+                                        "remove it to run without truth"
+                                  : "has no pose near the time of any image, so it is of another "
+                                    "recording; put back that of this one, or remove it to run "
+                                    "without truth");
   }
   const std::size_t without = dataset.stamps_ns.size() - poses.size();
   if (without > 0 && !poses.empty()) {

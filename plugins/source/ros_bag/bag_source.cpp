@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "bag_problems.hpp"
 #include "image_conversion.hpp"
 
 namespace tolman::ros_bag {

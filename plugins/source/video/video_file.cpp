@@ -37,16 +37,19 @@ int quarterTurns(const AVStream& stream) {
   return ((static_cast<int>(std::lround(-angle / 90)) % 4) + 4) % 4;
 }
 
+bool isAvi(const AVFormatContext& container) {
+  return std::string_view(container.iformat->name) == "avi";
+}
+
 /// The end of the stream by its header, in the stream's units. Only some headers contain it; for
 /// several streams it is that of the longest one, which is not used.
 std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream) {
   const std::int64_t start = stream.start_time == AV_NOPTS_VALUE ? 0 : stream.start_time;
   if (stream.nb_frames > 0 && stream.duration > 0) {
     // Of an AVI file without its index FFmpeg shortens the duration to what there is.
-    const bool is_avi = std::string_view(container.iformat->name) == "avi";
     const AVRational rate = stream.avg_frame_rate;
     const std::int64_t pictures =
-        is_avi && rate.num > 0 && rate.den > 0
+        isAvi(container) && rate.num > 0 && rate.den > 0
             ? av_rescale_q(stream.nb_frames, {rate.den, rate.num}, stream.time_base)
             : 0;
     return start + std::max(stream.duration, pictures);
@@ -241,6 +244,14 @@ bool VideoFile::endsEarly() const {
 std::string VideoFile::defectOfEnd() const {
   const bool in_picture = cut_ || !damage_.empty();
   if (!in_picture && !endsEarly()) return {};
+  if (!in_picture &&
+      isAvi(*container_)) {  // it has no times, so a gap in the middle moves the rest
+    return path_.string() + ": has " + std::to_string(pictures_) + " pictures, and its header " +
+           "promises " + std::to_string(stream_->nb_frames) +
+           ": they are missing at the end, or in the middle, and then the times of all that "
+           "follow " +
+           "are wrong; copy or record it again";
+  }
   std::string text = path_.string() + ": ends ";
   text += in_picture ? "in the middle of a picture" : "before the end that its header promises";
   if (sound_ == 0) return text + "; copy or record it again";

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "answers_decoder.hpp"
+#include "bounded_json.hpp"
 
 namespace tolman::answers_file {
 namespace {
@@ -30,7 +31,7 @@ std::string expectedNames() {
 /// The run.json beside answers.bin; no object where it is missing or damaged.
 nlohmann::json runFile(const std::string& answers) {
   std::ifstream stream(std::filesystem::path(answers).replace_filename("run.json"));
-  return nlohmann::json::parse(stream, nullptr, false);
+  return bounded_json::parse<nlohmann::json>(stream);
 }
 
 std::string partOf(const nlohmann::json& run, std::int64_t promised, std::int64_t recorded) {

@@ -122,3 +122,35 @@ TEST_CASE("a right image changes nothing") {
     CHECK(pair.track(frame).T_previous_current.matrix() == expected.T_previous_current.matrix());
   }
 }
+
+TEST_CASE("a depth sensor that repeats its image is told once, and its images are not used") {
+  RgbdHost host(oneCamera());
+  for (Frame frame : depthFrames()) {
+    if (frame.frame > 4) frame.sensors = depthFrames()[4].sensors;
+    host.track(frame);
+  }
+  host.finish();
+  CHECK(errorOf(host.trajectory().back()) < 0.05);
+  REQUIRE(host.log().size() == 1);
+  CHECK_THAT(host.log()[0], Catch::Contains("the depth image repeats that of the frame before"));
+}
+
+TEST_CASE("at rest an image may come twice") {
+  RgbdHost host(oneCamera());
+  for (int k = 0; k < 5; ++k) {
+    const Motion motion = host.track(test::again(depthFrames()[2], k));
+    if (k > 0) CHECK(motion.state == TrackingState::Tracking);
+  }
+  CHECK(host.length() < 2e-3);
+  CHECK(host.log().empty());
+}
+
+TEST_CASE("depth images of one value are told, and give no motion") {
+  RgbdHost host(oneCamera());
+  for (Frame frame : depthFrames()) {
+    frame.sensors[0].values.assign(frame.sensors[0].values.size(), 10);
+    CHECK(host.track(frame).state == TrackingState::Initialising);
+  }
+  REQUIRE(host.log().size() == 1);
+  CHECK_THAT(host.log()[0], Catch::Contains("the depth image has one value everywhere"));
+}

@@ -73,6 +73,32 @@ TEST_CASE("depth goes along in metres; images without depth are left out") {
   CHECK(plain.info.rig.pinhole.fx == 50);
 }
 
+TEST_CASE("inspect tells of depth files that a run would not take") {
+  const auto errors = [](const cv::Mat& first, bool keeps_last) {
+    const DataFolder data;
+    writeTum(data);
+    cv::imwrite(data.path("depth/1305031102.png").string(), first);
+    if (!keeps_last) data.remove("depth/1305031104.png");
+    TumOpened tum(data.path(), kSmall);
+    std::string text;
+    for (const std::string& finding : inspect(tum.source)) {
+      if (finding.starts_with("error")) text += data.anonymous(finding) + "\n";
+    }
+    return text;
+  };
+  CHECK(errors(cv::Mat::zeros(48, 64, CV_16UC1), true).empty());
+  CHECK(errors(cv::Mat::zeros(48, 64, CV_16UC1), false) ==
+        "error DATA/depth/1305031104.png: is missing or no file; copy or record it again, or leave "
+        "it out by on_corrupt: skip\n");
+  CHECK(
+      errors(cv::Mat::zeros(24, 32, CV_16UC1), true) ==
+      "error DATA/depth/1305031102.png: has 32x24 pixels, but the first image has 64x48; all must "
+      "be of one size\n");
+  CHECK_THAT(errors(cv::Mat::zeros(48, 64, CV_8UC1), true),
+             Catch::StartsWith("error DATA/depth/1305031102.png: has no single channel of 16 bits; "
+                               "it is no depth image"));
+}
+
 TEST_CASE("true poses lie between the measured ones") {
   StampedPoses poses;
   poses.stamps_ns = {1000, 2000};
@@ -95,6 +121,12 @@ TEST_CASE("the truth of another recording is an error, one that misses some imag
   data.write("groundtruth.txt", "1405031102.1 0 0 0 0 0 0 1\n1405031102.2 0 0 0 0 0 0 1\n");
   CHECK_THAT(data.anonymous(TumOpened(data.path(), kSmall).message),
              Catch::StartsWith("DATA/groundtruth.txt: has no pose near the time of any image"));
+  data.write("groundtruth.txt", "1305031101.9 0 0 0 0 0 0 1\n1305031104.9 0 0 0 0 0 0 1\n");
+  CHECK_THAT(
+      data.anonymous(TumOpened(data.path(), kSmall).message),
+      Catch::StartsWith("DATA/groundtruth.txt: has no poses on both sides of the time of any "
+                        "image within 0.020 s, although it is of the same time; set "
+                        "most_apart"));
   data.write("groundtruth.txt", "1305031102.09 0 0 0 0 0 0 1\n1305031102.11 0 0 0 0 0 0 1\n");
   TumOpened some(data.path(), kSmall);
   CHECK(some.message.empty());

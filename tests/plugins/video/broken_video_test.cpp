@@ -112,17 +112,28 @@ TEST_CASE("a recording that ends between two pictures, before the end that it pr
   CHECK(backward.frames.size() == sound);
 }
 
-TEST_CASE("an AVI file that ends between two pictures, before the end that it promises") {
+TEST_CASE("an AVI file that lacks pictures at its end, or in the middle") {
   for (const int pictures : {9, 15, 28}) {
     const test::TemporaryFolder folder;
     const auto file = folder.path() / "video.avi";
     writeNoise(file, "MJPG");
     const std::string bytes = bytesOf(file);
     std::ofstream(file, std::ios::binary) << bytes.substr(0, chunkOf(bytes, pictures));
-    CHECK_THAT(Played(file).message, Catch::StartsWith("video.avi: ends before the end that its "
-                                                       "header promises, after " +
-                                                       std::to_string(pictures)));
+    CHECK(Played(file).message ==
+          "video.avi: has " + std::to_string(pictures) +
+              " pictures, and its header promises 30: they are missing at the end, or in the "
+              "middle, and then the times of all that follow are wrong; copy or record it again");
   }
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.avi";
+  writeNoise(file, "MJPG");
+  std::string bytes = bytesOf(file);
+  const auto at = [&](int index) {
+    return bytes.begin() + static_cast<std::ptrdiff_t>(chunkOf(bytes, index));
+  };
+  std::fill(at(10), at(13), '\0');
+  std::ofstream(file, std::ios::binary) << bytes;
+  CHECK_THAT(Played(file).message, Catch::StartsWith("video.avi: has 27 pictures"));
 }
 
 TEST_CASE("a picture that is damaged in the middle of a sound file") {
