@@ -53,10 +53,9 @@ std::string mirrorHint(const Matches& aligned) {
   const bool is_small = fits.rotation <= kSmall * pathLength(aligned.truth);
   if (is_small || fits.rotation < kBetter * fits.reflection) return "";
   return fmt::format(
-      "the true path agrees with the mirror image of the estimate, to {:.3g} m instead of {:.3g} "
-      "m: "
-      "does an axis of the positions of one of the two have the wrong sign, or is its coordinate "
-      "system left-handed? All errors are wrong if so",
+      "the true path agrees with the mirror image of the estimate, to {:.3g} m instead of "
+      "{:.3g} m: does an axis of the positions of one of the two have the wrong sign, or is its "
+      "coordinate system left-handed? All errors are wrong if so",
       fits.reflection, fits.rotation);
 }
 
