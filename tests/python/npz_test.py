@@ -92,6 +92,13 @@ class NpzTest(Systems):
         self.assertNotIn(99, file["map_update/experience"])
         self.assertEqual(set(Run(self.folder / "run").map["experience"]), {99})
 
+    def frames_of(self, folder):
+        """How many frames are recorded; 0 while the record is being created."""
+        try:
+            return len(Run(folder).frames)
+        except (FileNotFoundError, sqlite3.OperationalError):
+            return 0
+
     def test_files_of_different_moments_are_told(self):
         self.assertEqual(self.run_system().returncode, 0)  # of a finished run there is no warning
         self.assertEqual(tolman("export", self.folder / "run", "--npz").stderr, "")
@@ -101,7 +108,7 @@ class NpzTest(Systems):
         going = subprocess.Popen([BUILD / "bin/tolman", "run", config, "--out", self.folder / "live"],
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
-            while not (self.folder / "live/run.sqlite").exists() or len(Run(self.folder / "live").frames) < 10:
+            while self.frames_of(self.folder / "live") < 10:
                 self.assertIsNone(going.poll())
                 time.sleep(0.1)
             for _ in range(50):  # the record grows twice a second
