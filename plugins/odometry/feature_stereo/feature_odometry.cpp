@@ -26,8 +26,6 @@ cv::Mat usableGray(const Image& image) {
   return deviation[0] < kWeakestContrast ? cv::Mat() : gray;
 }
 
-constexpr double kNever = 1e9;  // px of disparity
-
 StereoPixel toStereoPixel(const cv::Point2f& pixel, float disparity, double offset = 0) {
   return {pixel.x, pixel.y, std::isnan(disparity) ? 0.0 : disparity - offset};
 }
@@ -71,6 +69,7 @@ void FeatureOdometry::useSettings() {
   PixelNoise noise{p.sigma_track, p.sigma_disparity, p.sigma_doubling};
   double offset_sigma = p.offset_sigma;
   if (!needsPair()) {
+    constexpr double kNever = 1e9;  // px of disparity: the noise does not grow with it
     // An error s z^2 of the depth z = fx b / d is an error s fx b of d, at any depth.
     noise.disparity = depth_noise_ * rig_.pinhole.fx * rig_.baseline;
     noise.doubling = kNever;
