@@ -157,9 +157,18 @@ class PlacesMeasurement {
     second.place().resetChecks(static_cast<std::int64_t>(made_at_.size()));
     Pass pass(second, options_, cancellation_);
     pass.show(1, made_at_);
+    tellLengths(bench_.images, pass.images());
     bench_.images += pass.images();
     judge(pass, truth);
     keepState(second);
+  }
+
+  void tellLengths(std::int64_t first, std::int64_t second) {
+    if (first == second || cancellation_.requested()) return;
+    log_.write(LogLevel::Warning, "source",
+               fmt::format("the second pass has {} images, and the first has {}: are some missing? "
+                           "Image N of both must show the same place",
+                           second, first));
   }
 
   /// Whether a parameter of the source has this value (as JSON), or the source has none of that
@@ -199,15 +208,17 @@ class PlacesMeasurement {
 
   PlaceTruth truthOf(const Pass& pass, const run::CheckedSystem& system) const {
     if (!options_.pairs.empty()) {
-      PlaceTruth truth = run::require(truthOfPairs(options_.pairs), run::FailureKind::Dataset);
+      PlaceTruth truth =
+          run::require(truthOfPairs(options_.pairs, options_.near), run::FailureKind::Dataset);
       refuseUnknownImages(truth, pass, system);
       if (countFindable(truth, pass) > 0) return truth;
       throw run::Failed({run::FailureKind::Dataset,
-                         fmt::format("{}: has no pair of the {} images that were shown",
-                                     options_.pairs, pass.images())});
+                         fmt::format("{}: has no pair of the {} images that were shown whose "
+                                     "images are more than {} apart (--near)",
+                                     options_.pairs, pass.images(), options_.near)});
     }
     if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
-      return truthOfPoses(pass.truth, system.config.evaluation.loop_height);
+      return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
     }
     throw run::Failed({run::FailureKind::Configuration,
                        "nothing says which images show the same place: the source has no true "

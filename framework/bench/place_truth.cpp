@@ -45,7 +45,7 @@ PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t toleran
       [=](std::int64_t query) { return query < images_of_first_pass + tolerance; }, -1};
 }
 
-Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
+Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file, std::int64_t near) {
   std::error_code ignored;
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
@@ -77,14 +77,15 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
   return PlaceTruth{[pairs](std::int64_t query, std::int64_t place) {
                       return pairs->contains({query, place});
                     },
-                    [pairs](std::int64_t query) {
-                      const auto first = pairs->lower_bound({query, INT64_MIN});
-                      return first != pairs->end() && first->first == query;
+                    [pairs, near](std::int64_t query) {
+                      const auto earliest = pairs->lower_bound({query, INT64_MIN});
+                      return earliest != pairs->end() && earliest->first == query &&
+                             query - earliest->second > near;
                     },
                     pairs->rbegin()->first};
 }
 
-PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m) {
+PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m, std::int64_t near) {
   dataset::RevisitRule rule;
   rule.height_m = height_m;
   auto findable = std::make_shared<std::set<std::int64_t>>();
@@ -102,7 +103,14 @@ PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m) {
     return dataset::isSamePlace(q, p, rule) &&
            dataset::headingBetween(q, p, rule) == dataset::Heading::Same;
   };
-  return {isSame, [findable](std::int64_t query) { return findable->contains(query); }};
+  const auto isFindable = [findable, isSame, near](std::int64_t query) {
+    if (!findable->contains(query)) return false;
+    for (std::int64_t place = 0; place < query - near; ++place) {
+      if (isSame(query, place)) return true;
+    }
+    return false;
+  };
+  return {isSame, isFindable};
 }
 
 }  // namespace tolman::bench

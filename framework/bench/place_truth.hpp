@@ -24,11 +24,13 @@ struct PlaceTruth {
 PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t tolerance);
 
 /// A CSV file with two columns, query and match, and an optional header `query,match`. Errors name
-/// file and line.
-Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file);
+/// file and line. Images at most `near` apart do not make a query findable: claims of them do not
+/// count.
+Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file, std::int64_t near = 0);
 
 /// Within 5 m, headings less than 45 degrees apart, more than 20 m of path in between.
-/// `height_m`: as RevisitRule::height_m.
-PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m = 0);
+/// `height_m`: as RevisitRule::height_m. `near`: as above.
+PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m = 0,
+                        std::int64_t near = 0);
 
 }  // namespace tolman::bench

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "evaluation/errors.hpp"
@@ -21,6 +23,16 @@ double distanceBetween(const Trajectory& path, std::size_t from, std::size_t to)
 bool isRepeated(const Matches& pairs, std::size_t i) {
   return pairs.truth[i].T_world_camera.matrix() == pairs.truth[i - 1].T_world_camera.matrix() &&
          pairs.estimate[i].tracked && pairs.estimate[i - 1].tracked && pairs.inOnePiece(i - 1, i);
+}
+
+/// Median distance between consecutive poses that differ, m; 0 without any.
+double usualStep(const Trajectory& path) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double step = distanceBetween(path, i - 1, i);
+    if (step > 0) steps.push_back(step);
+  }
+  return statistics(steps).median;
 }
 
 /// Distances between consecutive poses, m.
@@ -57,6 +69,7 @@ bool jumpsAfter(const Matches& pairs, std::size_t first, std::size_t last, doubl
   constexpr double kAsLong = 2;   // at most this factor between the two; chosen, not tuned
   constexpr double kSteps = 1.8;  // steps; one over three equal poses is of 3; chosen, not tuned
   const std::size_t next = last + 1;
+  if (next == pairs.size()) return false;
   if (!pairs.estimate[next].tracked || !pairs.inOnePiece(last, next)) return false;
   const double jump = distanceBetween(pairs.truth, last, next);
   const double way = distanceBetween(pairs.estimate, first, next);
@@ -64,24 +77,64 @@ bool jumpsAfter(const Matches& pairs, std::size_t first, std::size_t last, doubl
   return jump > kSteps * longest && jump < kAsLong * way && way < kAsLong * jump;
 }
 
+/// A stretch of equal true poses, first to last, in which the estimate moves as if the robot drove.
+struct Held {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  double way = 0;   ///< of the estimate, m
+  double jump = 0;  ///< of the truth after it, m; 0 if it goes on as if nothing was missing
+};
+
+std::optional<Held> heldStretch(const Matches& pairs) {
+  constexpr std::size_t kFewest = 3;    // frames of one pose; two may be of one moment
+  constexpr double kUsualSpeed = 0.25;  // of the truth's where it moves; chosen, not tuned
+  constexpr double kShortest = 5;       // frames without a jump; chosen, not tuned
+  const double moved = leastWay(pairs.truth);
+  const double usual = stepsOf(pairs.estimate).median;
+  const double driven = usualStep(pairs.truth);
+  for (std::size_t first = 0, i = 1; i <= pairs.size(); ++i) {
+    if (i < pairs.size() && isRepeated(pairs, i)) continue;
+    Held held{first, i - 1, distanceBetween(pairs.estimate, first, i - 1)};
+    const auto frames = static_cast<double>(i - first);
+    first = i;
+    if (frames < kFewest || held.way < moved || driven == 0) continue;
+    if (jumpsAfter(pairs, held.first, held.last, usual)) {
+      held.jump = distanceBetween(pairs.truth, held.last, i);
+      return held;
+    }
+    if (frames >= kShortest && held.way > kUsualSpeed * driven * (frames - 1)) return held;
+  }
+  return std::nullopt;
+}
+
+Matches exchanged(const Matches& pairs) {
+  Matches other = pairs;
+  std::swap(other.truth, other.estimate);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    other.estimate[i].tracked = pairs.estimate[i].tracked;
+  }
+  return other;
+}
+
+std::string textOf(const Held& held, const Matches& pairs, const char* still, const char* moves) {
+  const std::string jump =
+      held.jump > 0 ? fmt::format(", and then jumps {:.3g} m", held.jump) : std::string();
+  return fmt::format("the {} stands still from frame {} to {} while the {} moves {:.3g} m{}", still,
+                     pairs.truth[held.first].frame, pairs.truth[held.last].frame, moves, held.way,
+                     jump);
+}
+
 }  // namespace
 
 std::string heldHint(const Matches& aligned) {
-  constexpr std::size_t kFewest = 3;  // frames of one pose; two may be of one moment
-  const double moved = leastWay(aligned.truth);
-  const double usual = stepsOf(aligned.estimate).median;
-  for (std::size_t first = 0, i = 1; i < aligned.size(); ++i) {
-    if (isRepeated(aligned, i)) continue;
-    const std::size_t last = i - 1;
-    const double way = distanceBetween(aligned.estimate, first, last);
-    if (i - first >= kFewest && way >= moved && jumpsAfter(aligned, first, last, usual)) {
-      return fmt::format(
-          "the truth stands still from frame {} to {} while the estimate moves {:.3g} m, and then "
-          "jumps {:.3g} m: are poses held or missing? All errors are wrong if so",
-          aligned.truth[first].frame, aligned.truth[last].frame, way,
-          distanceBetween(aligned.truth, last, i));
-    }
-    first = i;
+  if (const std::optional<Held> held = heldStretch(aligned)) {
+    return textOf(*held, aligned, "truth", "estimate") +
+           ": are poses held or missing? All errors are wrong if so";
+  }
+  const Matches other = exchanged(aligned);
+  if (const std::optional<Held> held = heldStretch(other)) {
+    return textOf(*held, other, "estimate", "truth") +
+           ": is odometry lost, or its sensor, without saying so?";
   }
   return "";
 }

@@ -10,9 +10,12 @@
 namespace tolman::evaluation {
 
 /// A warning if the true pose is exactly the same for three frames or more while the estimate moves
-/// by 0.5 m, or by 1 % of the true path where that is less, and the truth then makes up for it in
-/// one step; else empty. A robot that stands moves neither, and interpolated poses differ. The
-/// estimate is aligned: its lengths are compared with true ones.
+/// by 0.5 m, or by 1 % of the true path where that is less, and either the truth then makes up for
+/// it in one step, or the estimate moves on, for five
+/// frames or more, at over a quarter of the usual speed of the truth; else empty.
+/// The same with the two exchanged. A robot that stands moves neither, an estimate that drifts then
+/// is slow, and interpolated poses differ. The estimate is aligned: its lengths are compared with
+/// true ones.
 std::string heldHint(const Matches& aligned);
 
 /// A warning if the truth makes a single step of 0.5 m or more (1 % of the true path where that is

@@ -12,7 +12,9 @@
 #include "evaluation/held_truth.hpp"
 #include "evaluation/mirror_hint.hpp"
 #include "evaluation/open_turn.hpp"
+#include "evaluation/rounded_truth.hpp"
 #include "evaluation/session_frames.hpp"
+#include "evaluation/turned_axes.hpp"
 #include "tolman/fields.hpp"
 
 namespace tolman::evaluation {
@@ -166,6 +168,32 @@ void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
   scores.vertical_m = absoluteError(pairs, Direction::Vertical);
 }
 
+/// What is wrong with poses as they are read: before the world of inverted poses is moved.
+std::string hintBefore(const Matches& matches, Alignment alignment) {
+  std::string text = axesHint(matches);
+  if (text.empty()) text = turnHint(matches);
+  if (text.empty()) text = fixedOrientationHint(matches);
+  if (!text.empty() || alignment != Alignment::Se2) return text;
+  text = upHint(matches.truth);
+  if (!text.empty()) text += ", or use se3; se2 leaves y out";
+  return text;
+}
+
+/// What is wrong with lengths and positions, which an alignment compares.
+std::string hintAfter(const Matches& pairs, Alignment alignment) {
+  std::string text = heldHint(pairs);
+  if (text.empty()) text = jumpHint(pairs);
+  if (text.empty()) text = sessionFramesHint(pairs, alignment);
+  if (text.empty() && alignment != Alignment::Sim3) text = unitHint(pairs);
+  if (text.empty() && alignment != Alignment::Sim3) text = scaleHint(pairs);
+  if (text.empty()) text = speedHint(pairs);
+  if (text.empty()) text = rotationHint(pairs);
+  if (text.empty()) text = mirrorHint(pairs);
+  if (text.empty()) text = turnedAxesHint(pairs);
+  if (text.empty()) text = oppositeAxisHint(pairs);
+  return text;
+}
+
 }  // namespace
 
 TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& estimate,
@@ -181,15 +209,8 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   }
   metrics.matched = matches.value().size();
   metrics.warning = stillHint(matches.value().truth);
-  if (metrics.warning.empty()) {
-    metrics.warning = axesHint(matches.value());  // before the world of inverted poses is moved
-  }
-  if (metrics.warning.empty()) metrics.warning = turnHint(matches.value());
-  if (metrics.warning.empty()) metrics.warning = fixedOrientationHint(matches.value());
-  if (metrics.warning.empty() && alignment == Alignment::Se2) {
-    metrics.warning = upHint(matches.value().truth);
-    if (!metrics.warning.empty()) metrics.warning += ", or use se3; se2 leaves y out";
-  }
+  if (metrics.warning.empty()) metrics.warning = hintBefore(matches.value(), alignment);
+  const Rounding rounding = roundingOf(matches.value().truth);
   if (alignment != Alignment::None) referToFirst(matches.value());
   metrics.reason = whyNotAlignable(matches.value(), alignment);
   if (!metrics.reason.empty()) return metrics;
@@ -201,14 +222,8 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
-  if (metrics.warning.empty()) metrics.warning = heldHint(pairs);
-  if (metrics.warning.empty()) metrics.warning = jumpHint(pairs);
-  if (metrics.warning.empty()) metrics.warning = sessionFramesHint(pairs, alignment);
-  if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
-  if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = scaleHint(pairs);
-  if (metrics.warning.empty()) metrics.warning = speedHint(pairs);
-  if (metrics.warning.empty()) metrics.warning = rotationHint(pairs);
-  if (metrics.warning.empty()) metrics.warning = mirrorHint(pairs);
+  if (metrics.warning.empty()) metrics.warning = hintAfter(pairs, alignment);
+  if (metrics.warning.empty()) metrics.warning = roundedHint(rounding, scores.ate_m.rmse);
   scores.rpe_frame = relativeErrorOverFrames(pairs);
   scores.rpe_metre = relativeErrorOverDistance(pairs);
   scores.kitti = segmentErrors(pairs, lengths.value_or(lengthsFor(pathLength(pairs.truth))));

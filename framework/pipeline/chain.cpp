@@ -23,6 +23,17 @@ R recordOf(const Frame& frame) {
   return record;
 }
 
+/// Sources name depth images "depth", or "depth." and the camera.
+bool isDepth(const NamedArray& array) {
+  return array.name == "depth" || array.name.starts_with("depth.");
+}
+
+Views viewsOf(const Frame& frame) {
+  if (frame.left.empty()) return Views::None;
+  if (!frame.right.empty()) return Views::Pair;
+  return std::ranges::any_of(frame.sensors, isDepth) ? Views::Depth : Views::Single;
+}
+
 }  // namespace
 
 bool Chain::failed() const {
@@ -265,6 +276,7 @@ void Chain::resume(const ResumePoint& point) {
 
 void Chain::count(const FrameRecords& records) {
   ++counters_.frames;
+  counters_.views = viewsOf(records.frame);
   if (!records.frame.defect.empty()) ++counters_.defects;
   const bool lost = records.motion.state == TrackingState::Lost;
   if (lost) ++counters_.lost;

@@ -11,6 +11,18 @@ inline constexpr std::string_view kNeverTracked =
     "no motion in the whole run; are the images rectified, and left and right not exchanged? see "
     "`tolman dataset check`";
 
+inline constexpr std::string_view kNeverTrackedSingle =
+    "no motion in the whole run; are the images those of the calibration, and does the camera move "
+    "sideways or forward, not only turn? see `tolman dataset check`";
+
+inline constexpr std::string_view kNeverTrackedDepth =
+    "no motion in the whole run; are the depth images sound, in the unit that the source is told, "
+    "and aligned with the images? see `tolman dataset check`";
+
+inline constexpr std::string_view kNoImages =
+    "no motion in the whole run: the last frame has no image; take a source that gives images, or "
+    "an odometry that works without them, such as motion_replay";
+
 inline constexpr std::string_view kNearlyBlack =
     "no motion in the whole run: the images are nearly black, with hardly any grey level above 63; "
     "if their files have 16 bits of which the camera uses fewer, set source.bits, see log.txt; "
@@ -32,6 +44,9 @@ inline constexpr std::string_view kStoodStill =
     "no motion in the whole run: odometry answered exactly zero at each frame; if the camera "
     "moved, see `tolman dataset check`, and `tolman plugins validate` for the plugin";
 
+/// What a frame shows the world by.
+enum class Views : std::uint8_t { Pair, Single, Depth, None };
+
 /// Counters of the health of a run.
 struct RunCounters {
   std::int64_t frames = 0;      ///< processed
@@ -51,6 +66,7 @@ struct RunCounters {
   std::int64_t links = 0;           ///< of the same graph as experiences, without rejected ones
   std::int64_t loop_links = 0;      ///< those of kind LinkKind::Loop
   bool lost_at_end = false;
+  Views views = Views::Pair;  ///< of the newest frame, for a hint; no count, not visited
 
   /// Calls visit(name, value) for each count.
   template <class Self, class Visit>
@@ -81,7 +97,20 @@ struct RunCounters {
     if (frames == 1) return kOneFrame;
     if (2 * impossible > frames) return kMostlyImpossible;
     if (2 * nearly_black > frames) return kNearlyBlack;
-    return unmoved > 0 ? kStoodStill : kNeverTracked;
+    return unmoved > 0 ? kStoodStill : neverTrackedByViews();
+  }
+  std::string_view neverTrackedByViews() const {
+    switch (views) {
+      case Views::Single:
+        return kNeverTrackedSingle;
+      case Views::Depth:
+        return kNeverTrackedDepth;
+      case Views::None:
+        return kNoImages;
+      case Views::Pair:
+        break;
+    }
+    return kNeverTracked;
   }
   /// The same also for a run that tracked and was lost at its end; empty if no cause is known.
   std::string_view endText() const {

@@ -121,6 +121,17 @@ TEST_CASE("bench places: two passes, where image N of both shows the same place"
   checkCurve(json);
 }
 
+TEST_CASE("bench places: passes of unlike lengths are told") {
+  const Walks walks;
+  const std::string unlike = "the second pass has 57 images, and the first has 60";
+  CHECK_FALSE(contains(walks.bench("day", {"--second", walks.path("night")}).err, unlike));
+  for (int i = 0; i < 3; ++i)
+    fs::remove(walks.folder.path() / "night" / ("000" + std::to_string(i) + ".png"));
+  const Finished finished = walks.bench("day", {"--second", walks.path("night")});
+  CHECK(finished.exit_code == 0);
+  CHECK(contains(finished.err, unlike));
+}
+
 TEST_CASE("bench places: the tolerance decides what is right, --query-set what is claimed") {
   const Walks walks;
   const std::vector<std::string> second = {"--second", walks.path("night")};
@@ -157,8 +168,12 @@ TEST_CASE("bench places: one drive with a file of pairs") {
     CHECK(claim["right"] == (query >= kPlaces && std::abs(query - kPlaces - found) <= 1));
   }
   checkCurve(json);
-  // Claims over 60 images count no longer when so many are near.
-  CHECK(walks.json("lap", {"--pairs", walks.path("pairs.csv"), "--near", "70"})["claims"].empty());
+  // Pairs over 60 images are none when so many are near.
+  const Finished near = walks.bench("lap", {"--pairs", walks.path("pairs.csv"), "--near", "70"});
+  CHECK(near.exit_code == 5);
+  CHECK(contains(near.err,
+                 "has no pair of the 120 images that were shown whose images are more "
+                 "than 70 apart (--near)"));
 }
 
 TEST_CASE("bench places prints the curve, recalls, times and memory") {

@@ -94,6 +94,16 @@ TEST_CASE("pairs are those of the file, in the order query, match") {
   }
 }
 
+TEST_CASE("pairs of images that are near make no query findable") {
+  const PairsFile file;
+  std::ofstream(file.path) << "30,2\n30,29\n41,40\n41,39\n";
+  const PlaceTruth truth = truthOfPairs(file.path, 20).value();
+  CHECK(truth.isFindable(30));
+  CHECK_FALSE(truth.isFindable(41));
+  CHECK(truth.isSame(41, 40));
+  CHECK_FALSE(truthOfPairs(file.path, 28).value().isFindable(30));
+}
+
 TEST_CASE("a line that is no pair is refused with file and line") {
   const PairsFile file;
   const std::string wanted = ": a pair is two numbers of images, 'query,match'";
@@ -150,6 +160,8 @@ TEST_CASE("poses: within 5 m and 45 degrees, and findable only after more than 2
   CHECK_FALSE(truth.isFindable(33));
   CHECK_FALSE(truth.isFindable(34));
   CHECK_FALSE(truth.isFindable(35));
+  CHECK(truthOfPoses(path, 0, 29).isFindable(32));  // at frame 2
+  CHECK_FALSE(truthOfPoses(path, 0, 32).isFindable(32));
   for (int i = 0; i <= 31; ++i) CHECK_FALSE(truth.isFindable(i));  // the neighbours are too recent
   CHECK_FALSE(truthOfPoses({}).isFindable(0));
 }

@@ -58,6 +58,31 @@ TEST_CASE("a truth that stands still while the estimate moves, and then jumps, i
   }
 }
 
+TEST_CASE("a truth that is held to its end, or from its start, or goes on late, is detected") {
+  const Trajectory path = test::straightPath(200);
+  CHECK_THAT(hintOf(held(path, 150, 199), path),
+             Catch::StartsWith("the truth stands still from frame 150 to 199 while the estimate "
+                               "moves 49 m: are poses held"));
+  Trajectory late = path;  // the first 60 true poses are those of later frames
+  for (std::size_t i = 0; i < 60; ++i) late[i].T_world_camera = path[60].T_world_camera;
+  CHECK_THAT(hintOf(late, path), Catch::StartsWith("the truth stands still from frame 0 to 60"));
+  Trajectory delayed = held(path, 50, 80);
+  for (std::size_t i = 80; i < delayed.size(); ++i) {
+    delayed[i].T_world_camera = path[i - 30].T_world_camera;
+  }
+  CHECK_THAT(hintOf(delayed, path), Catch::StartsWith("the truth stands still from frame 50 to"));
+}
+
+TEST_CASE("an estimate that stands still while the truth drives on is detected") {
+  const Trajectory path = test::straightPath(200);
+  CHECK_THAT(hintOf(path, held(path, 150, 199)),
+             Catch::StartsWith("the estimate stands still from frame 150 to 199 while the truth "
+                               "moves 49 m: is odometry lost"));
+  Trajectory lost = held(path, 150, 199);  // it says so
+  for (std::size_t i = 150; i < lost.size(); ++i) lost[i].tracked = false;
+  CHECK(hintOf(path, lost).empty());
+}
+
 TEST_CASE("held poses are detected at any length of the path") {
   for (const double spacing : {0.01, 0.1, 30.0}) {
     const Trajectory path = test::straightPath(100, spacing);
@@ -94,9 +119,9 @@ TEST_CASE("a truth at a lower rate that is interpolated, and gaps, give no hint"
   Trajectory lost = path;  // nothing is known where tracking is lost
   for (std::size_t i = 11; i <= 16; ++i) lost[i].tracked = false;
   CHECK(hintOf(held(path, 10, 16), lost).empty());
-  Trajectory sessions = path;
-  for (std::size_t i = 17; i < sessions.size(); ++i) sessions[i].session = 1;
-  CHECK(hintOf(held(sessions, 10, 16), sessions).empty());
+  Trajectory sessions = path;  // the step from one session to the next says nothing
+  for (std::size_t i = 13; i < sessions.size(); ++i) sessions[i].session = 1;
+  CHECK(hintOf(held(sessions, 10, 12), sessions).empty());
 }
 
 TEST_CASE("a single jump of the truth is detected, and one of the estimate is not") {

@@ -51,6 +51,17 @@ TEST_CASE("the cause is named: one frame, limits of checks, or images") {
   CHECK(says(impossible, "are the images rectified"));
 }
 
+TEST_CASE("the hint is of the images that there are: a pair, one camera, depth, or none") {
+  const auto [views, hint] = GENERATE(table<tolman::pipeline::Views, std::string>(
+      {{tolman::pipeline::Views::Pair, "left and right not exchanged"},
+       {tolman::pipeline::Views::Single, "those of the calibration"},
+       {tolman::pipeline::Views::Depth, "are the depth images sound"},
+       {tolman::pipeline::Views::None, "take a source that gives images"}}));
+  RunCounters n = counters(10, 10, 0);
+  n.views = views;
+  CHECK(says(n, hint));
+}
+
 TEST_CASE("images that are nearly black are named before their rectification is") {
   RunCounters n = counters(10, 10, 0);
   n.nearly_black = 6;

@@ -123,6 +123,9 @@ class RunTest(Systems):
     def test_a_folder_without_a_run_is_refused(self):
         with self.assertRaisesRegex(FileNotFoundError, "no run.sqlite"):
             tolman.Run(self.folder)
+        (self.folder / "run.sqlite").touch()  # as a run creates it
+        with self.assertRaisesRegex(ValueError, "has no table 'run': it is no record of a run"):
+            tolman.Run(self.folder)
 
     def test_a_record_of_another_run_is_refused(self):
         run = self.made()

@@ -82,6 +82,16 @@ class SpatialTest(unittest.TestCase):
         rates, visits = np.zeros((8, 8)), np.full((8, 8), 3)
         rates[2:4, 2:4] = 5
         self.assertAlmostEqual(spatial.spatial_information(rates, visits), 4)  # a sixteenth: log2 16
+        masked = np.where(np.arange(8) < 6, rates, np.nan)
+        self.assertAlmostEqual(spatial.spatial_information(masked, visits),
+                               spatial.spatial_information(rates, np.where(np.isnan(masked), 0, visits)))
+        self.assertTrue(math.isnan(spatial.spatial_information(np.full((8, 8), np.nan), visits)))
+        self.assertTrue(math.isnan(spatial.spatial_information(np.full((8, 8), np.inf), visits)))
+        self.assertAlmostEqual(spatial.spatial_information(rates, visits / 3600), spatial.spatial_information(rates, visits))
+        for wrong in (visits[:, :1], -visits):
+            with self.assertRaisesRegex(ValueError, "visits must have the shape"):
+                spatial.spatial_information(rates, wrong)
+        self.assertEqual(spatial.spatial_information(np.zeros((8, 8)), visits), 0)  # a unit that never fires
         rates[6, 6:8] = 3
         self.assertEqual(sorted(spatial.fields(rates)), [2, 4])
         self.assertEqual(spatial.fields(np.zeros((3, 3))), [])

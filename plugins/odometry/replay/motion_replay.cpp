@@ -92,7 +92,8 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   const std::vector<float>* recorded = sensor(frame, "motion.planar");
   if (!recorded || recorded->size() != 3) {
     return Status::unsupported(
-        "this source measures no motion.planar; use the source motion_log, or another odometry");
+        "this source measures no motion.planar; use one that does, such as motion_log or a ROS bag "
+        "with an odometry topic, or another odometry");
   }
   const std::vector<float>& v = *recorded;
   const PlanarPose recorded_step = {static_cast<double>(v[0]), static_cast<double>(v[1]),

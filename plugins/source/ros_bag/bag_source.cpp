@@ -71,6 +71,9 @@ Status BagSource::prepare(const Context& context) {
   const auto chosen = chooseTopics(bag_->topics(), parameters_);
   if (!chosen.isOk()) return chosen.status();
   chosen_ = chosen.value();
+  for (const std::string& text : chosen_.undecided) {
+    context.log.warning(parameters_.path + ": " + text);
+  }
   status = judgeTopics(context.log);
   if (status.isOk()) status = findSize();
   if (status.isOk()) status = makeRigs();
@@ -447,7 +450,7 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
                         std::to_string(table_.right_alone) +
                             " images have no left one within the tolerance; set tolerance"});
   }
-  for (const auto& problems : {depthDoubts(), odometry_problems_}) {
+  for (const auto& problems : {depthDoubts(), odometry_problems_, chosen_.undecided}) {
     for (const std::string& problem : problems)
       findings.push_back({Severity::Warning, "", problem});
   }

@@ -19,6 +19,7 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
   first_damaged_.clear();
   coverage_ = {};
   speeds_ = {};
+  restart_ = {};
   tells_lost_ = false;
   if (imu != nullptr) {
     for (const BagMessage& message : imu->index) {
@@ -43,6 +44,7 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
       continue;
     }
     speeds_.add(message.stamp_ns, *measured);
+    restart_.add(message.stamp_ns, measured->position);
     poses_.push_back(
         {message.stamp_ns,
          {measured->position[0], measured->position[1], headingOf(measured->orientation)}});
@@ -64,7 +66,10 @@ Status SideMeasurements::judgeOdometry(const std::vector<std::int64_t>& frames_n
   const std::vector<std::string> found = coverage_.problems(frames_ns);
   tells_lost_ = !found.empty();
   problems.insert(problems.end(), found.begin(), found.end());
-  if (const std::string doubt = speeds_.doubt(); !doubt.empty()) problems.push_back(doubt);
+  // A path that jumps back contradicts the velocities as well: its cause is told alone.
+  std::string doubt = restart_.doubt();
+  if (doubt.empty()) doubt = speeds_.doubt();
+  if (!doubt.empty()) problems.push_back(std::move(doubt));
   return Status::ok();
 }
 

@@ -9,6 +9,7 @@
 #include "bag.hpp"
 #include "messages.hpp"
 #include "odometry_coverage.hpp"
+#include "odometry_restart.hpp"
 #include "odometry_speeds.hpp"
 #include "tolman/fields.hpp"
 #include "tolman/geometry.hpp"
@@ -23,8 +24,8 @@ class SideMeasurements {
   /// "of /imu with the stamp 5000000000 ns (message 3)"; empty if none is damaged.
   const std::string& firstDamaged() const { return first_damaged_; }
   /// Compares the times of the odometry with those of the frames, in the order of the run.
-  /// `problems` gets a text for each kind of frames without a measured motion, and one if poses and
-  /// velocities do not have the same unit. InvalidInput if all
+  /// `problems` gets a text for each kind of frames without a measured motion, one if the
+  /// poses begin again, and one if poses and velocities contradict each other. InvalidInput if all
   /// its times lie before or after the frames; it is not used then. No text contains the topic.
   Status judgeOdometry(const std::vector<std::int64_t>& frames_ns,
                        std::vector<std::string>& problems);
@@ -57,6 +58,7 @@ class SideMeasurements {
   std::vector<Pose> poses_;      ///< by stamp
   OdometryCoverage coverage_;
   OdometrySpeeds speeds_;
+  OdometryRestart restart_;
   bool tells_lost_ = false;  ///< a frame's motion is not measured
   std::size_t damaged_ = 0;
   std::string first_damaged_;

@@ -126,7 +126,8 @@ Status chooseInfo(const Topics& topics, const char* parameter, const std::string
 
 /// The topic of a sensor: the named one, or the only one of its type.
 Status chooseSensor(const Topics& topics, const char* parameter, const std::string& name,
-                    std::string_view type, const BagTopic*& sensor) {
+                    std::string_view type, const BagTopic*& sensor,
+                    std::vector<std::string>& undecided) {
   if (!name.empty()) {
     const auto found = named(topics, parameter, name, {type});
     if (found.isOk()) sensor = found.value();
@@ -135,6 +136,10 @@ Status chooseSensor(const Topics& topics, const char* parameter, const std::stri
   const std::vector<const BagTopic*> all = topicsOf(topics, {type});
   const bool is_lost = !all.empty() && all.front()->index.empty() && all.front()->damaged == 0;
   if (all.size() == 1 && !is_lost) sensor = all.front();
+  if (all.size() > 1) {
+    undecided.push_back("none of these topics is used, because there are several; set " +
+                        std::string(parameter) + " to one of: " + listed(all));
+  }
   return Status::ok();
 }
 
@@ -148,9 +153,10 @@ Result<ChosenTopics> chooseTopics(const Topics& topics, const BagParameters& p) 
   };
   then(chooseInfo(topics, "left_info", p.left_info, chosen.left, chosen.left_info));
   then(chooseInfo(topics, "right_info", p.right_info, chosen.right, chosen.right_info));
-  if (!p.depth.empty()) then(chooseSensor(topics, "depth", p.depth, kImage, chosen.depth));
-  then(chooseSensor(topics, "imu", p.imu, kImu, chosen.imu));
-  then(chooseSensor(topics, "odometry", p.odometry, kOdometry, chosen.odometry));
+  if (!p.depth.empty())
+    then(chooseSensor(topics, "depth", p.depth, kImage, chosen.depth, chosen.undecided));
+  then(chooseSensor(topics, "imu", p.imu, kImu, chosen.imu, chosen.undecided));
+  then(chooseSensor(topics, "odometry", p.odometry, kOdometry, chosen.odometry, chosen.undecided));
   if (!status.isOk()) return status;
   return chosen;
 }

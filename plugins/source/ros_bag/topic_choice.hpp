@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "bag.hpp"
 #include "bag_parameters.hpp"
@@ -19,11 +20,13 @@ struct ChosenTopics {
   const BagTopic* depth = nullptr;
   const BagTopic* imu = nullptr;
   const BagTopic* odometry = nullptr;
+  std::vector<std::string> undecided;  ///< sensors with several topics, none of them chosen
 };
 
 /// Chooses the topics that the parameters name, and for the others the only possibility. A topic
-/// that is missing, of another type or not the only possibility is InvalidParameter; the message
-/// names the parameter to set and the topics to choose from.
+/// that is missing, of another type or not the only possibility is InvalidParameter, unless it is
+/// of a sensor beside the cameras (`undecided`); the message names the parameter to set and the
+/// topics to choose from.
 Result<ChosenTopics> chooseTopics(const std::map<std::string, BagTopic>& topics,
                                   const BagParameters& parameters);
 

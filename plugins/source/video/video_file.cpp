@@ -41,6 +41,17 @@ bool isAvi(const AVFormatContext& container) {
   return std::string_view(container.iformat->name) == "avi";
 }
 
+/// Pictures in the index of an AVI file, where it has one; chunks without bytes repeat a picture.
+std::int64_t indexedPictures(const AVFormatContext& container, AVStream& stream) {
+  std::int64_t count = 0;
+  const int entries = isAvi(container) ? avformat_index_get_entries_count(&stream) : 0;
+  for (int i = 0; i < entries; ++i) {
+    const AVIndexEntry* entry = avformat_index_get_entry(&stream, i);
+    if (entry != nullptr && entry->size > 0) ++count;
+  }
+  return count;
+}
+
 /// The end of the stream by its header, in the stream's units. Only some headers contain it; for
 /// several streams it is that of the longest one, which is not used.
 std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream) {
@@ -132,6 +143,7 @@ Status VideoFile::openStream() {
   const int best = av_find_best_stream(container_, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
   if (best < 0) return Status::invalidInput("has no pictures; name a video");
   stream_ = container_->streams[best];
+  indexed_ = indexedPictures(*container_, *stream_);  // reading adds entries
   for (unsigned i = 0; i < container_->nb_streams; ++i) {
     if (static_cast<int>(i) != best) container_->streams[i]->discard = AVDISCARD_ALL;
   }
@@ -223,6 +235,7 @@ Status VideoFile::feed() {
                : Status::failed(path_.string() + ": the decoder fails: " + libavError(ended));
   }
   if (packet_->stream_index != stream_->index) return Status::ok();
+  if (packet_->size > 0) ++packets_;
   const bool is_jpeg = stream_->codecpar->codec_id == AV_CODEC_ID_MJPEG;
   cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 || (is_jpeg && !hasJpegEnd(*packet_));
   if (cut_) damage_ = "its data are not complete";
@@ -234,6 +247,7 @@ Status VideoFile::feed() {
 }
 
 bool VideoFile::endsEarly() const {
+  if (packets_ < indexed_) return true;
   const std::optional<std::int64_t> promised = promisedEnd(*container_, *stream_);
   const AVRational rate = stream_->avg_frame_rate;
   if (!promised || !saysTimes() || rate.num <= 0 || rate.den <= 0) return false;
@@ -247,7 +261,7 @@ std::string VideoFile::defectOfEnd() const {
   if (!in_picture &&
       isAvi(*container_)) {  // it has no times, so a gap in the middle moves the rest
     return path_.string() + ": has " + std::to_string(pictures_) + " pictures, and its header " +
-           "promises " + std::to_string(stream_->nb_frames) +
+           "promises " + std::to_string(std::max(stream_->nb_frames, indexed_)) +
            ": they are missing at the end, or in the middle, and then the times of all that "
            "follow " +
            "are wrong; copy or record it again";

@@ -67,7 +67,9 @@ class VideoFile final : public Capture {
   std::int64_t end_ = 0;    ///< of the pictures in the packets so far, units of the stream
   std::int64_t start_ = 0;  ///< time of the first picture, units of the stream
   std::int64_t pictures_ = 0;
-  std::int64_t sound_ = 0;  ///< pictures before the first damaged one
+  std::int64_t packets_ = 0;  ///< with data, of the stream
+  std::int64_t indexed_ = 0;  ///< that an index names; 0 without one
+  std::int64_t sound_ = 0;    ///< pictures before the first damaged one
 };
 
 }  // namespace tolman::video

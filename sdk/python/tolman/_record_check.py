@@ -28,6 +28,9 @@ def require_whole(database, file, info):
 
 
 def _require_rows(database, file, info):
+    if not database.execute("SELECT count(*) FROM sqlite_master WHERE name = 'run'").fetchone()[0]:
+        raise ValueError(f"{file}: has no table 'run': it is no record of a run, or one that begins at this moment; if its run is "
+                         "going on, try again")
     run, recorded = info.get("id"), _entry(database, "id")
     if run is not None and run != recorded:
         raise ValueError(f"{file}: is of another run than the run.json of this run directory; put back the files of one run")

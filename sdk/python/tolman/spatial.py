@@ -121,12 +121,17 @@ def grid_scores(rates):
 
 
 def spatial_information(rates, visits):
-    """Bits a spike (Skaggs et al. 1992)."""
-    share = visits / max(visits.sum(), 1)
-    mean = np.nansum(share * rates)
+    """Bits a spike (Skaggs et al. 1992), over the bins that were visited and have a rate; NaN where no bin has one, or one is infinite."""
+    if np.shape(rates) != np.shape(visits) or np.any(np.asarray(visits) < 0):
+        raise ValueError("visits must have the shape of the rate map, and no value below 0")
+    known = (visits > 0) & ~np.isnan(rates)
+    if not known.any() or np.isinf(rates[known]).any():
+        return np.nan
+    share = visits[known] / visits[known].sum()
+    mean = np.sum(share * rates[known])
     if not mean > 0:
         return 0.0
-    ratio = np.where(visits > 0, np.nan_to_num(rates) / mean, 0)
+    ratio = rates[known] / mean
     return float(np.sum(share * ratio * np.log2(np.where(ratio > 0, ratio, 1))))
 
 

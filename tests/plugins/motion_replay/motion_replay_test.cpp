@@ -162,5 +162,6 @@ TEST_CASE("a source with images only is refused with a remedy") {
   const Status status = odometry.track(frame, motion);
   CHECK(status.code() == StatusCode::Unsupported);
   CHECK(status.message() ==
-        "this source measures no motion.planar; use the source motion_log, or another odometry");
+        "this source measures no motion.planar; use one that does, such as motion_log or a ROS bag "
+        "with an odometry topic, or another odometry");
 }

@@ -107,6 +107,18 @@ TEST_CASE("a robot that stands, with noise in its odometry, has no doubtful unit
   CHECK(played.context.log.empty());
 }
 
+TEST_CASE("poses that begin again in the middle are told as such") {
+  const test::TemporaryFolder folder;
+  const bool again = GENERATE(true, false);
+  const Played played = playedOf(folder, driveWith([&](double time, std::int64_t stamp) {
+                                   const double since = again && time > 2 ? time - 2 : time;
+                                   return test::odometryMessage(stamp, 3 * since, 0, 0, 3);
+                                 }));
+  CHECK(played.message.empty());
+  CHECK(isTold(played, "its position is back where it began, 5.94 m in one step") == again);
+  CHECK_FALSE(isTold(played, "are both in m and m/s?"));
+}
+
 TEST_CASE("poses in another frame are refused, or left out") {
   const test::TemporaryFolder folder;
   const auto messages = driveWith([&](double time, std::int64_t stamp) {

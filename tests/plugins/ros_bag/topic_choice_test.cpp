@@ -67,6 +67,10 @@ TEST_CASE("depth is no camera, and is taken where it is named") {
   CHECK(chosen(topics, parameters) == "/camera/color - - - /camera/depth /imu ");
   add(topics, "/imu2", kImu);
   CHECK(chosen(topics) == "/camera/color - - - - - ");
+  const auto undecided = chooseTopics(topics, {}).value().undecided;
+  REQUIRE(undecided.size() == 1);
+  CHECK(undecided[0] ==
+        "none of these topics is used, because there are several; set imu to one of: /imu, /imu2");
 }
 
 TEST_CASE("what is ambiguous or wrong names the parameter and the topics") {

@@ -127,13 +127,20 @@ TEST_CASE("an AVI file that lacks pictures at its end, or in the middle") {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "video.avi";
   writeNoise(file, "MJPG");
-  std::string bytes = bytesOf(file);
+  const std::string bytes = bytesOf(file);
   const auto at = [&](int index) {
     return bytes.begin() + static_cast<std::ptrdiff_t>(chunkOf(bytes, index));
   };
-  std::fill(at(10), at(13), '\0');
-  std::ofstream(file, std::ios::binary) << bytes;
+  const auto losePictures = [&](int first, int last) {
+    std::string damaged = bytes;
+    std::fill(damaged.begin() + (at(first) - bytes.begin()),
+              damaged.begin() + (at(last) - bytes.begin()), '\0');
+    std::ofstream(file, std::ios::binary) << damaged;
+  };
+  losePictures(10, 13);
   CHECK_THAT(Played(file).message, Catch::StartsWith("video.avi: has 27 pictures"));
+  losePictures(10, 11);  // one that the index names
+  CHECK_THAT(Played(file).message, Catch::StartsWith("video.avi: has 29 pictures"));
 }
 
 TEST_CASE("a picture that is damaged in the middle of a sound file") {

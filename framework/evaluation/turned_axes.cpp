@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/turned_axes.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "tolman/geometry.hpp"
+
+namespace tolman::evaluation {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Sums over vectors of the truth and of the estimate: their mean angle, weighted by length, and
+/// what is left of it after a rotation.
+class Directions {
+ public:
+  void add(const Eigen::Vector3d& truth, const Eigen::Vector3d& estimate) {
+    products_ += truth * estimate.transpose();
+    lengths_ += truth.norm() * estimate.norm();
+    ++count_;
+  }
+  int count() const { return count_; }
+  Eigen::Matrix3d weighted() const {
+    return lengths_ > 0 ? Eigen::Matrix3d(products_ / lengths_) : Eigen::Matrix3d::Zero();
+  }
+  /// rad, where the estimate is turned first; 0 without vectors.
+  double apart(const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) const {
+    if (!(lengths_ > 0)) return 0;
+    return std::acos(std::clamp((weighted() * turn.transpose()).trace(), -1.0, 1.0));
+  }
+
+ private:
+  Eigen::Matrix3d products_ = Eigen::Matrix3d::Zero();
+  double lengths_ = 0;
+  int count_ = 0;
+};
+
+/// The rotation R that makes the trace of products R' largest (Arun et al. 1987).
+Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& products) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
+  return u * svd.matrixV().transpose();
+}
+
+Vector6d motionBetween(const TrajectoryPose& from, const TrajectoryPose& to) {
+  return logSe3(from.T_world_camera.inverse() * to.T_world_camera);
+}
+
+bool isTracked(const Matches& matches, std::size_t i) {
+  return matches.estimate[i].tracked && matches.estimate[i - 1].tracked &&
+         matches.inOnePiece(i - 1, i);
+}
+
+/// Motions over 5 degrees or 5 m: over shorter ones noise is larger than what is turned.
+struct Motions {
+  Directions ways;
+  Directions turns;
+};
+
+Motions motionsOf(const Matches& matches) {
+  constexpr double kTurn = 5 * kDegree;
+  constexpr double kRight = 90 * kDegree;
+  Motions motions;
+  for (std::size_t begin = 0, i = 1; i < matches.size(); ++i) {
+    if (!isTracked(matches, i)) {
+      begin = i;
+      continue;
+    }
+    motions.ways.add(motionBetween(matches.truth[i - 1], matches.truth[i]).head<3>(),
+                     motionBetween(matches.estimate[i - 1], matches.estimate[i]).head<3>());
+    const Eigen::Vector3d truth = motionBetween(matches.truth[begin], matches.truth[i]).tail<3>();
+    const Eigen::Vector3d estimate =
+        motionBetween(matches.estimate[begin], matches.estimate[i]).tail<3>();
+    const double larger = std::max(truth.norm(), estimate.norm());
+    if (larger < kTurn) continue;
+    begin = i;
+    if (larger < kRight) motions.turns.add(truth, estimate);
+  }
+  return motions;
+}
+
+/// Whether a rotation leaves less than half of an angle that is not small.
+bool isTurned(const Directions& directions, const Eigen::Matrix3d& turn, double least) {
+  constexpr int kFewest = 10;
+  constexpr double kLeft = 0.5;  // chosen, not tuned
+  const double apart = directions.apart();
+  return directions.count() >= kFewest && apart > least && directions.apart(turn) < kLeft * apart;
+}
+
+}  // namespace
+
+std::string turnedAxesHint(const Matches& matches) {
+  constexpr double kWays = 4 * kDegree;    // chosen, not tuned
+  constexpr double kTurns = 15 * kDegree;  // chosen, not tuned
+  const auto [ways, turns] = motionsOf(matches);
+  const Eigen::Matrix3d turn = bestRotation(ways.weighted() + turns.weighted());
+  if (!isTurned(ways, turn, kWays) && !isTurned(turns, turn, kTurns)) return "";
+  return fmt::format(
+      "the camera of the truth is turned against that of the estimate: motions point in directions "
+      "{:.0f} degrees apart and turns have axes {:.0f} degrees apart, in the same way all along. "
+      "Give true poses of the left camera (x right, y down, z forward), or look for a wrong "
+      "calibration; rotation errors, drift and NEES are wrong until then",
+      ways.apart() / kDegree, turns.apart() / kDegree);
+}
+
+std::string oppositeAxisHint(const Matches& matches) {
+  constexpr double kOpposite = -0.5;  // chosen, not tuned
+  constexpr int kFewest = 30;         // frames
+  constexpr double kNoise = 4;  // standard deviations of the correlation of noise, 1 / sqrt(n)
+  constexpr std::array<const char*, 3> kAxes = {"x (pitch)", "y (yaw)", "z (roll)"};
+  Eigen::Array3d products = Eigen::Array3d::Zero(), truths = products, estimates = products;
+  int count = 0;
+  for (std::size_t i = 1; i < matches.size(); ++i) {
+    if (!isTracked(matches, i)) continue;
+    const Eigen::Array3d truth = motionBetween(matches.truth[i - 1], matches.truth[i]).tail<3>();
+    const Eigen::Array3d estimate =
+        motionBetween(matches.estimate[i - 1], matches.estimate[i]).tail<3>();
+    products += truth * estimate;
+    truths += truth.square();
+    estimates += estimate.square();
+    ++count;
+  }
+  if (count < kFewest) return "";
+  const double most = std::min(kOpposite, -kNoise / std::sqrt(static_cast<double>(count)));
+  for (int axis = 0; axis < 3; ++axis) {
+    const double scale = std::sqrt(truths[axis] * estimates[axis]);
+    if (!(products[axis] < most * scale)) continue;
+    return fmt::format(
+        "the truth turns the other way than the estimate about the camera's axis {} (a correlation "
+        "of {:.2f} from frame to frame): does an axis or an angle of one of the two have the wrong "
+        "sign? Rotation errors and drift are wrong if so",
+        kAxes[static_cast<std::size_t>(axis)], products[axis] / scale);
+  }
+  return "";
+}
+
+}  // namespace tolman::evaluation
