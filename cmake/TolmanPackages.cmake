@@ -61,6 +61,10 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT
         PATTERN site EXCLUDE)
 install(DIRECTORY sdk/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman/sdk
         COMPONENT program)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/doc_links)
+file(CREATE_LINK ../../../../include ${PROJECT_BINARY_DIR}/doc_links/include SYMBOLIC)
+install(FILES ${PROJECT_BINARY_DIR}/doc_links/include
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman/sdk COMPONENT sdk)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
 foreach(package ${packages})
   string(REPLACE ":" ";" package ${package})

@@ -20,24 +20,28 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kApart = 45 * kDegree;
 constexpr double kTogether = 15 * kDegree;
 
-Eigen::Vector3d step(const Trajectory& path, std::size_t i) {
-  return (path[i - 1].T_world_camera.inverse() * path[i].T_world_camera).translation();
+Eigen::Vector3d step(const Trajectory& path, std::size_t from, std::size_t to) {
+  return (path[from].T_world_camera.inverse() * path[to].T_world_camera).translation();
 }
+Eigen::Vector3d step(const Trajectory& path, std::size_t i) { return step(path, i - 1, i); }
 
-/// Sums over all steps, weighted by length: a camera at rest has no direction of motion.
+/// Sums over all steps, weighted by length: a camera at rest has no direction of motion. A step
+/// ends where the truth has moved by `least` m.
 struct Steps {
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  ///< of true and estimated steps
   double lengths = 0;                                  ///< products of their lengths
 };
 
-Steps stepsOf(const Trajectory& truths, const Trajectory& estimates) {
+Steps stepsOf(const Trajectory& truths, const Trajectory& estimates, double least = 0) {
   Steps sums;
-  for (std::size_t i = 1; i < truths.size(); ++i) {
-    if (!estimates[i].tracked) continue;
-    const Eigen::Vector3d truth = step(truths, i);
-    const Eigen::Vector3d estimate = step(estimates, i);
+  for (std::size_t begin = 0, i = 1; i < truths.size(); ++i) {
+    if (!estimates[i].tracked) begin = i;
+    const Eigen::Vector3d truth = step(truths, begin, i);
+    if (begin == i || truth.norm() < least) continue;
+    const Eigen::Vector3d estimate = step(estimates, begin, i);
     sums.products += truth * estimate.transpose();
     sums.lengths += truth.norm() * estimate.norm();
+    begin = i;
   }
   return sums;
 }
@@ -138,8 +142,10 @@ double errorWithOrientations(const Matches& aligned) {
 /// Whether the positions hardly determine the turn that contradicts the orientations.
 bool isTurnedFreely(const Matches& aligned) {
   constexpr double kFree = 0.01;  // of the true path; 0.002 on the first metres of KITTI 06
+  constexpr double kTimes = 3;    // the error of the alignment; chosen, not tuned
   return orientationsApart(aligned) > kReversed &&
-         errorWithOrientations(aligned) <= kFree * pathLength(aligned.truth);
+         errorWithOrientations(aligned) <=
+             std::max(kFree * pathLength(aligned.truth), kTimes * absoluteError(aligned).rmse);
 }
 
 }  // namespace
@@ -186,9 +192,12 @@ std::string turnHint(const Matches& matches) {
 }
 
 std::string rotationHint(const Matches& aligned) {
-  const double apart = directionsApart(aligned, stepsOf(aligned.truth, aligned.estimate));
+  constexpr double kClear = 5;  // times the error: noise turns such steps little; chosen, not tuned
+  const double error = absoluteError(aligned).rmse;
+  if (error > kAgree * pathLength(aligned.truth)) return "";
+  const double apart =
+      directionsApart(aligned, stepsOf(aligned.truth, aligned.estimate, kClear * error));
   const double turned = orientationsApart(aligned);
-  if (absoluteError(aligned).rmse > kAgree * pathLength(aligned.truth)) return "";
   if (apart < kApart && turned > kReversed && !isTurnedFreely(aligned)) {
     return fmt::format(
         "the positions agree only where the alignment turns the estimate by {:.0f} degrees against "

@@ -26,8 +26,9 @@ std::string turnHint(const Matches& matches);
 /// of motion, each in its camera's own axes, differ by more than 45 degrees in the mean, or the
 /// aligned orientations by more than 90 degrees in the median, as for mirrored positions; else
 /// empty. Of the latter no warning is given where the positions also agree, within a hundredth of
-/// the true path, after the rotation that aligns the orientations: that path is nearly straight, so
-/// the positions hardly determine the rotation about it.
+/// the true path or three times the error of the alignment, after the rotation that aligns the
+/// orientations: that path is nearly straight, so the positions hardly determine the rotation about
+/// it.
 std::string rotationHint(const Matches& aligned);
 
 /// A sentence if the poses move along their own x axis and more along the y than along the z axis

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "evaluation/errors.hpp"
@@ -13,32 +13,36 @@
 namespace tolman::evaluation {
 namespace {
 
-// Decimal ones, and those of numbers of 32 bits, in m.
-constexpr std::array<double, 17> kUnits = {1000,    100,      10,   8,         4,    2,
-                                           1,       0.5,      0.25, 0.125,     0.1,  0.0625,
-                                           0.03125, 0.015625, 0.01, 0.0078125, 0.001};
+constexpr double kFinest = 0.001;  // m; finer units do no harm
+constexpr double kExact = 0.02;    // units; degrees of latitude are not exactly alike in metres
 
-bool areMultiples(const Trajectory& truth, int axis, double unit) {
-  constexpr double kExact = 1e-4;  // units; what is left of numbers of six and more digits
-  const double first = truth.front().T_world_camera.translation()[axis];
-  return std::ranges::all_of(truth, [&](const TrajectoryPose& pose) {
-    const double units = (pose.T_world_camera.translation()[axis] - first) / unit;
-    return std::fabs(units - std::round(units)) < kExact;
-  });
+double restOf(double length, double unit) {
+  return std::fabs(length - unit * std::round(length / unit));
 }
 
-bool moves(const Trajectory& truth, int axis) {
-  const double first = truth.front().T_world_camera.translation()[axis];
-  return std::ranges::any_of(truth, [&](const TrajectoryPose& pose) {
-    return pose.T_world_camera.translation()[axis] != first;
-  });
+/// Lengths of the steps along an axis, m, without zeros.
+std::vector<double> stepsAlong(const Trajectory& truth, int axis) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    const double step = std::fabs(truth[i].T_world_camera.translation()[axis] -
+                                  truth[i - 1].T_world_camera.translation()[axis]);
+    if (step > kExact * kFinest) steps.push_back(step);  // less is left of a conversion
+  }
+  return steps;
 }
 
-/// The coarsest unit of an axis, m; 0 if there is none.
-double unitOf(const Trajectory& truth, int axis) {
-  const auto unit = std::ranges::find_if(
-      kUnits, [&](double candidate) { return areMultiples(truth, axis, candidate); });
-  return unit == kUnits.end() ? 0 : *unit;
+/// The greatest common divisor of the steps, m; 0 if there is none above kFinest.
+double unitOf(const std::vector<double>& steps) {
+  double unit = steps.empty() ? 0 : steps.front();
+  for (double length : steps) {
+    while (restOf(length, unit) > kExact * unit) {
+      length = std::exchange(unit, restOf(length, unit));
+      if (unit < kFinest) return 0;
+    }
+  }
+  const bool divides_all =
+      std::ranges::all_of(steps, [&](double step) { return restOf(step, unit) <= kExact * unit; });
+  return divides_all ? unit : 0;
 }
 
 /// Whether the robot moves at changing speeds, by more than a unit. The steps of an exact path that
@@ -64,8 +68,7 @@ Rounding roundingOf(const Trajectory& truth) {
   if (truth.size() < kFewest) return rounding;
   double squares = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    if (!moves(truth, axis)) continue;
-    const double unit = unitOf(truth, axis);
+    const double unit = unitOf(stepsAlong(truth, axis));
     squares += unit * unit / 12;
     rounding.unit = std::max(rounding.unit, unit);
   }
@@ -79,7 +82,8 @@ std::string roundedHint(const Rounding& rounding, double rmse) {
   if (rounding.error == 0 || rounding.error < kShare * rmse) return "";
   if (rounding.error > kPresent * rmse) return "";
   return fmt::format(
-      "the true positions are multiples of {:g} m, which alone makes an error of {:.2g} m, and the "
+      "the true positions are multiples of {:.3g} m, which alone makes an error of {:.2g} m, and "
+      "the "
       "estimate has one of {:.2g} m: were they written with too few digits?",
       rounding.unit, rounding.error, rmse);
 }

@@ -8,14 +8,14 @@
 
 namespace tolman::evaluation {
 
-/// The units of positions, 1 mm to 1 km: decimal ones, and those of numbers of 32 bits.
+/// The units of positions, of 1 mm and more: of decimal digits, degrees, or numbers of 32 bits.
 struct Rounding {
   double unit = 0;   ///< m, the coarsest of the axes; 0 if positions are no multiples of one
   double error = 0;  ///< m, root mean square of what the rounding of all axes makes
 };
 
-/// Whether all coordinates of an axis, counted from the first pose, are multiples of a unit. An
-/// axis in which nothing moves says nothing. `truth` is as it was read: a rotated world has no
+/// Whether all steps along an axis are multiples of a unit. An axis in which nothing moves says
+/// nothing. `truth` is as it was read: a rotated world has no
 /// units. A unit u makes an error of u / sqrt(12) in its axis,
 /// 0 where all steps are alike.
 Rounding roundingOf(const Trajectory& truth);

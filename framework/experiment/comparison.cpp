@@ -141,6 +141,20 @@ class Comparer {
     return varied;
   }
 
+  /// What to choose instead of a metric that no run has.
+  std::string otherMetrics(const std::string& wanted, const std::vector<std::string>& names) const {
+    const std::string similar = config::didYouMean(wanted, names);
+    const bool is_ending = std::ranges::any_of(
+        names, [&](const std::string& name) { return name.ends_with("." + wanted); });
+    if (is_ending || !similar.empty()) return similar;
+    std::vector<std::string> plain = names;  // the others are parts of figures
+    std::erase_if(plain, [](const std::string& name) { return name.find('.') != name.npos; });
+    const bool has_truth =
+        std::ranges::any_of(rows_, [](const RunRow& row) { return !row.truth.empty(); });
+    return std::string(has_truth ? "" : "; the runs have no true poses, and so no errors") +
+           "; set --metric, for example to one of: " + config::listed(plain);
+  }
+
   Status chooseMetric() {
     std::set<std::string> known;
     for (const RunRow& row : rows_) {
@@ -152,7 +166,7 @@ class Comparer {
     if (!full.isOk()) {
       return Status::invalidParameter(full.status().message() + " in " +
                                       rows_.front().directory.string() + "/metrics.json" +
-                                      config::didYouMean(wanted, names));
+                                      otherMetrics(wanted, names));
     }
     comparison_.metric = full.value();
     const std::size_t before = rows_.size();

@@ -68,7 +68,7 @@ TEST_CASE("a new plugin of each role builds, passes and runs") {
         workshop.shell("cd " + name + "\n" + commandsOf(repository / "README.md", role));
     INFO(used.out << used.err);
     REQUIRE(used.exit_code == 0);
-    CHECK(contains(used.out, "100% tests passed, 0 tests failed out of 2"));
+    CHECK(contains(used.out, "100% tests passed, 0 tests failed out of 3"));
     CHECK(contains(used.out, name));  // described
     CHECK_FALSE(contains(used.out + used.err, "warning:"));
     checkRun(repository / "runs/latest", role, name);

@@ -108,6 +108,29 @@ TEST_CASE("wrong rotations with right positions are detected in either trajector
   CHECK(rotationHint(test::paired(truth, test::wanderingPath(60, random))).empty());
 }
 
+TEST_CASE("noise of slow motion does not turn its directions, wrong rotations do") {
+  RandomStream random(3);
+  Trajectory truth;  // a robot at 3 mm a frame, round a bend
+  for (int i = 0; i < 900; ++i) {
+    const double t = 0.002 * i;
+    Eigen::Isometry3d T(Eigen::AngleAxisd(t, Eigen::Vector3d::UnitY()));
+    T.translation() << 1.5 * (1 - std::cos(t)), 0, 1.5 * std::sin(t);
+    truth.push_back({i, 33'000'000LL * i, T});
+  }
+  Trajectory noisy = truth;
+  for (TrajectoryPose& pose : noisy) {
+    for (double& value : pose.T_world_camera.translation()) value += 0.005 * random.normal();
+  }
+  CHECK(scoreTrajectory(truth, noisy, Alignment::Se3).warning.empty());
+  CHECK(scoreTrajectory(noisy, truth, Alignment::Se3).warning.empty());
+  for (TrajectoryPose& pose : noisy) {  // w x y z
+    const Eigen::Quaterniond q(pose.T_world_camera.linear());
+    pose.T_world_camera.linear() =
+        Eigen::Quaterniond(q.z(), q.w(), q.x(), q.y()).toRotationMatrix();
+  }
+  CHECK_FALSE(scoreTrajectory(truth, noisy, Alignment::Se3).warning.empty());
+}
+
 TEST_CASE("mirrored positions, which an alignment turns upside down, are detected") {
   const auto at = [](int i, double side) {  // along a road with a slight bend
     const double angle = 0.01 * i;

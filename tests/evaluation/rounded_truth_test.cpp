@@ -43,10 +43,10 @@ Trajectory drifting(Trajectory path, double metres) {
 }  // namespace
 
 TEST_CASE("the unit of rounded positions, and the error that rounding makes") {
-  for (const double unit : {10.0, 1.0, 0.5, 0.1, 0.0625, 0.001}) {
+  for (const double unit : {10.0, 5.0, 1.11, 1.0, 0.5, 0.3048, 0.1, 0.0625, 0.002}) {
     CAPTURE(unit);
     const Rounding rounding = roundingOf(rounded(farDrive(), unit));
-    CHECK(rounding.unit == unit);
+    CHECK(rounding.unit == Approx(unit));
     CHECK(rounding.error == Approx(unit * std::sqrt(2.0 / 12)));  // its height does not change
   }
   CHECK(roundingOf(farDrive()).error == 0);

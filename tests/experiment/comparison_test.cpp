@@ -287,6 +287,21 @@ TEST_CASE("a metric that only the first run lacks can be compared") {
   CHECK(compared.value().notes.front() == "1 of 12 runs have no loops and are left out.");
 }
 
+TEST_CASE("runs without true poses say why they have no errors, and what they have") {
+  std::vector<RunRow> all = rows();
+  for (RunRow& row : all) {
+    row.metrics = {{"loop_links", 3}, {"map.path_length_m", 20}};
+    row.truth.clear();
+    row.directory = "study";
+  }
+  CHECK(compareRuns(all, {}).status().message() ==
+        "no metric 'map.ate.rmse_m' in study/metrics.json; the runs have no true poses, and so no "
+        "errors; set --metric, for example to one of: loop_links");
+  ComparisonOptions options;
+  options.metric = "loop_links";
+  CHECK(compareRuns(all, options).isOk());
+}
+
 TEST_CASE("tables as Markdown, LaTeX and CSV") {
   const Comparison comparison = compareRuns(rows(), {}).value();
   const std::string markdown = markdownOf(comparison);

@@ -108,7 +108,8 @@ Status KittiSource::load(const ParameterValues& values, FolderParameters& shared
   if (left < 0) {
     inspection.error(root,
                      "has neither image_0 nor image_2; set path to a sequence, such as "
-                     ".../sequences/06");
+                     ".../sequences/06, or take the source of another layout (`tolman init` finds "
+                     "it)");
     return Status::ok();
   }
   const fs::path right_folder = imageFolder(root, left + 1);

@@ -35,7 +35,7 @@ TEST_CASE("the wrong folder") {
         "DATA/no: is no folder; set path to a sequence, such as .../sequences/06");
   CHECK(failure(data, {{"path", data.path("image_0").string()}}) ==
         "DATA/image_0: has neither image_0 nor image_2; set path to a sequence, such as "
-        ".../sequences/06");
+        ".../sequences/06, or take the source of another layout (`tolman init` finds it)");
 }
 
 TEST_CASE("problems that are found before frame 0") {
