@@ -245,6 +245,9 @@ std::string unitHint(const Matches& matches) {
   constexpr double kShort = 2.0 / 3;  // noise makes a path longer, never shorter; chosen, not tuned
   if (truth >= 1 && estimate < 1e-6 * truth) return "the estimate does not move";
   if (std::min(truth, estimate) < kMin) return "";
+  // Noise makes the truth of a slow robot several times as long.
+  constexpr double kAgreement = 0.02;  // of the shorter path; chosen, not tuned
+  if (absoluteError(matches).rmse < kAgreement * std::min(truth, estimate)) return "";
   if (truth >= 1 && estimate < kShort * truth && estimate * kFactor > truth) {
     return fmt::format(
         "the estimated path is only {:.3g} times as long as the true one; the scale of a single "

@@ -37,7 +37,8 @@ std::string rotationHint(const Matches& aligned);
 std::string upHint(const Trajectory& truth);
 
 /// A warning if one of the paths is over 50 times as long as the other, if the estimate is shorter
-/// than two thirds of a true path of 1 m or more, or does not move; else empty.
+/// than two thirds of a true path of 1 m or more, or does not move, unless the aligned positions
+/// agree within a fiftieth of the shorter path; else empty.
 std::string unitHint(const Matches& matches);
 
 /// A warning if the median speed of the truth by the stamps, of the estimate where the truth has

@@ -78,7 +78,8 @@ double areaOf(const Mesh& mesh, std::uint32_t surface) {
 
 }  // namespace
 
-TEST_CASE("every edge of the ground is shared by two triangles that run along it oppositely") {
+TEST_CASE("every edge of the ground is shared by two triangles that run along it oppositely",
+          "[figures]") {
   for (const char* name : {"block", "eights", "district"}) {
     const Town town = townOf(builtIn(name));
     const Mesh& mesh = town.without_skirt;
@@ -99,7 +100,7 @@ TEST_CASE("every edge of the ground is shared by two triangles that run along it
   }
 }
 
-TEST_CASE("road and land face up, kerbs stand upright and face the road") {
+TEST_CASE("road and land face up, kerbs stand upright and face the road", "[figures]") {
   const Town town = townOf(builtIn("district"));
   const Mesh& mesh = town.mesh;
   std::size_t kerbs = 0;
@@ -122,7 +123,7 @@ TEST_CASE("road and land face up, kerbs stand upright and face the road") {
   CHECK(kerbs > 2000);
 }
 
-TEST_CASE("the road lies at the plan's height, land a kerb higher") {
+TEST_CASE("the road lies at the plan's height, land a kerb higher", "[figures]") {
   const Town town = townOf(builtIn("district"));
   const Mesh& mesh = town.without_skirt;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -27,7 +27,7 @@ CameraRoute crossing(double apart) {
 
 }  // namespace
 
-TEST_CASE("a levelled route has streets, and the camera its height above them") {
+TEST_CASE("a levelled route has streets, and the camera its height above them", "[figures]") {
   for (const double apart : {4.4, 6.2}) {
     const CameraRoute route = crossing(apart);
     REQUIRE_FALSE(StreetPlan::grow(route, kLevelCamera).isOk());

@@ -165,7 +165,8 @@ TEST_CASE("the kerb is where brute force puts it") {
   CHECK(tried > 250);
 }
 
-TEST_CASE("every camera drives between the kerbs, on its road, on all built-in routes") {
+TEST_CASE("every camera drives between the kerbs, on its road, on all built-in routes",
+          "[figures]") {
   for (const char* name : {"block", "eights", "district"}) {
     const CameraRoute route = builtIn(name);
     const StreetPlan plan = grown(route);
@@ -258,7 +259,7 @@ TEST_CASE("passes that disagree about the height meet in the middle and part gen
   }
 }
 
-TEST_CASE("the ground is continuous, from the road to the horizon") {
+TEST_CASE("the ground is continuous, from the road to the horizon", "[figures]") {
   const CameraRoute route = builtIn("district");
   const StreetPlan plan = grown(route);
   const Eigen::Vector2d centre = (plan.lowCorner() + plan.highCorner()) / 2;
@@ -370,7 +371,7 @@ TEST_CASE("a low camera may be low") {
   CHECK(StreetPlan::grow(drawnRoute(straight(50)), 6).isOk());
 }
 
-TEST_CASE("the same route grows the same town") {
+TEST_CASE("the same route grows the same town", "[figures]") {
   const CameraRoute route = builtIn("eights");
   const StreetPlan a = grown(route);
   const StreetPlan b = grown(route);

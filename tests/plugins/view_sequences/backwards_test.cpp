@@ -66,7 +66,7 @@ Seen drive(Tour& tour, const std::vector<Step>& steps, std::vector<Eigen::Isomet
 
 }  // namespace
 
-TEST_CASE("a street that is driven back is recognised, and the pose is true") {
+TEST_CASE("a street that is driven back is recognised, and the pose is true", "[figures]") {
   Tour tour(backwards(), houseRig());
   CHECK(tour.log().empty());
   std::vector<Eigen::Isometry3d> made_at;
@@ -91,7 +91,7 @@ TEST_CASE("a street that is driven back is recognised, and the pose is true") {
   CHECK(made_at.size() + seen.familiar.size() == 2 * std::size_t(kLength));
 }
 
-TEST_CASE("another street is not recognised, nor the same one when this is off") {
+TEST_CASE("another street is not recognised, nor the same one when this is off", "[figures]") {
   const std::vector<Step> other = stepsOf(2, true);
   std::vector<Eigen::Isometry3d> made_at;
   Tour elsewhere(backwards(), houseRig());

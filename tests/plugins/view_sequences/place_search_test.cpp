@@ -171,7 +171,8 @@ TEST_CASE("as long as there is little to compare with nothing is found") {
   CHECK(drive.search().candidates(5).empty());
 }
 
-TEST_CASE("the codes' short list finds what the exhaustive search finds, on nearly all steps") {
+TEST_CASE("the codes' short list finds what the exhaustive search finds, on nearly all steps",
+          "[figures]") {
   RandomStream random(6);
   std::vector<EdgeValues> street;
   for (int part = 0; part < 4; ++part) {

@@ -122,7 +122,7 @@ TEST_CASE("a restart resets the costs, not the views") {
   CHECK(right >= 18);
 }
 
-TEST_CASE("yaw is positive to the left, in the camera's own angles") {
+TEST_CASE("yaw is positive to the left, in the camera's own angles", "[figures]") {
   CameraRig calibrated;
   calibrated.width = kPictureWidth;
   calibrated.height = kPictureHeight;
