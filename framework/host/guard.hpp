@@ -51,12 +51,13 @@ inline Status thrown(const char* begin, const char* what) noexcept {
 }
 
 /// Whether a call failed because this process, not a limit of its own, had no memory left. It says
-/// nothing of the plugin or its data. OpenCV has an exception of its own for it.
+/// nothing of the plugin or its data. OpenCV has an exception of its own for it, and oneTBB one for
+/// a thread that cannot be started.
 inline bool isOutOfMemory(const Status& status) {
   const std::string& text = status.message();
   const auto has = [&](std::string_view part) { return text.find(part) != std::string::npos; };
   const bool is_short = has("threw: std::bad_alloc") || has("error: (-4:Insufficient memory)") ||
-                        text.ends_with("out of memory");
+                        has("pthread_create has failed") || text.ends_with("out of memory");
   return !status.isOk() && is_short && !has("isolation.memory_limit");
 }
 

@@ -41,6 +41,11 @@ bool Chain::failed() const {
   return failure_.has_value();
 }
 
+void Chain::failBy(Role role, const Status& status) {
+  listener_.onEvent({-1, LogLevel::Error, std::string(enumName(role)), status.message()});
+  fail(role, status);
+}
+
 void Chain::fail(Role role, const Status& status) {
   const std::lock_guard lock(failure_mutex_);
   if (!failure_) failure_ = {role, status};

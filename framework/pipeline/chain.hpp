@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "config/settings.hpp"
+#include "host/guard.hpp"
 #include "host/stages.hpp"
 #include "pipeline/checked_odometry.hpp"
 #include "pipeline/failure_tally.hpp"
@@ -79,6 +80,16 @@ class Chain {
   /// Whether a stage or the listener failed; no later frame is answered.
   bool failed() const;
   void fail(Role role, const Status& status);
+  /// Calls `work` of a node of the flow. Its exception, such as of memory that is short, is a
+  /// failure of `role`, so that the frames in the flow still reach its end.
+  template <class Work>
+  void guarded(Role role, Work&& work) {
+    const Status status = host::contained([&] {
+      work();
+      return Status::ok();
+    });
+    if (!status.isOk()) failBy(role, status);
+  }
   /// Reports a failure of the source. Frames that it gave before are still processed.
   void failInput(const Status& status);
   /// The failure that stopped the run: of a stage, else of the source; none if there is none.
@@ -99,6 +110,7 @@ class Chain {
   Listener& listener() { return listener_; }
 
  private:
+  void failBy(Role role, const Status& status);
   /// Whether the run continues after an answer with this status (`on_failure` of the stage).
   bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
                    Role role);

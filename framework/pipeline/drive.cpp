@@ -18,11 +18,13 @@ DriveResult drive(Chain& chain, const config::PipelineSettings& options, int thr
   bool interrupted = false;
   Latency latency;
   arena.execute([&] {
-    if (options.mode == config::PipelineMode::Lossless) {
-      runLossless(chain, options, cancellation);
-    } else {
-      latency = runRealtime(chain, options, cancellation);
-    }
+    chain.guarded(Role::Source, [&] {
+      if (options.mode == config::PipelineMode::Lossless) {
+        runLossless(chain, options, cancellation);
+      } else {
+        latency = runRealtime(chain, options, cancellation);
+      }
+    });
     interrupted = cancellation.requested();
     if (interrupted) chain.saveNow();  // before finish(), which changes the state
     chain.finish();  // an observer may block here until cancellation, e.g. to serve a page

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/flow.hpp"
 
+#include <chrono>
+#include <thread>
+
 namespace tolman::pipeline {
 namespace flow = tbb::flow;
 
@@ -10,18 +13,30 @@ constexpr auto kSequenceOf = [](const FrameRecordsPtr& records) { return records
 
 }  // namespace
 
+WaitForGraph::~WaitForGraph() {
+  for (bool is_idle = false; !is_idle;) {
+    try {
+      graph_.cancel();
+      graph_.wait_for_all();
+      is_idle = true;
+    } catch (...) {  // memory is short, until other tasks have ended
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+}
+
 Flow::Flow(flow::graph& graph, Chain& chain, std::function<void(const FrameRecords&)> on_done)
     : entry_(graph, kSequenceOf),
       fork_(graph),
       odometry_(graph, flow::serial,
                 [&chain](FrameRecordsPtr records) {
-                  chain.odometry(*records);
+                  chain.guarded(Role::Odometry, [&] { chain.odometry(*records); });
                   return records;
                 }),
       after_odometry_(graph, kSequenceOf),
       place_(graph, flow::serial,
              [&chain](FrameRecordsPtr records) {
-               chain.place(*records);
+               chain.guarded(Role::Place, [&] { chain.place(*records); });
                return records;
              }),
       after_place_(graph, kSequenceOf),
@@ -30,16 +45,21 @@ Flow::Flow(flow::graph& graph, Chain& chain, std::function<void(const FrameRecor
       before_cells_and_map_(graph, kSequenceOf),
       cells_and_map_(graph, flow::serial,
                      [&chain](FrameRecordsPtr records) {
-                       chain.runCellsAndMap(*records);
+                       chain.guarded(Role::Map, [&] { chain.runCellsAndMap(*records); });
                        return records;
                      }),
       after_cells_and_map_(graph, kSequenceOf),
       publish_(graph, flow::serial, [&chain, done = std::move(on_done)](FrameRecordsPtr records) {
-        chain.publish(*records);
+        chain.guarded(Role::Observer, [&] { chain.publish(*records); });
         done(*records);
         return records;
       }) {
-  connect(chain.placeNeedsMotion());
+  try {
+    connect(chain.placeNeedsMotion());
+  } catch (...) {  // an edge makes a task, and may find no thread or memory for the next one
+    const WaitForGraph at_end(graph);
+    throw;
+  }
 }
 
 void Flow::connect(bool place_needs_motion) {

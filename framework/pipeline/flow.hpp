@@ -12,6 +12,19 @@
 
 namespace tolman::pipeline {
 
+/// At its end no task of the graph is left, also where an exception ends its scope early: a task
+/// uses the nodes. It must be destroyed before the nodes are.
+class WaitForGraph {
+ public:
+  explicit WaitForGraph(tbb::flow::graph& graph) : graph_(graph) {}
+  WaitForGraph(const WaitForGraph&) = delete;
+  WaitForGraph& operator=(const WaitForGraph&) = delete;
+  ~WaitForGraph();
+
+ private:
+  tbb::flow::graph& graph_;
+};
+
 /// Odometry and place recognition side by side (or one after the other, where place recognition
 /// needs the motion), then cells and map, then recorder and observers.
 class Flow {

@@ -32,13 +32,15 @@ void runLossless(Chain& chain, const config::PipelineSettings& options,
   namespace flow = tbb::flow;
   flow::graph graph;
   flow::input_node<FrameRecordsPtr> source(graph, [&](tbb::flow_control& control) {
-    FrameRecordsPtr records = nextFrame(chain, cancellation);
+    FrameRecordsPtr records;
+    chain.guarded(Role::Source, [&] { records = nextFrame(chain, cancellation); });
     if (!records) control.stop();
     return records;
   });
   flow::limiter_node<FrameRecordsPtr> limiter(graph, static_cast<std::size_t>(options.queue));
   Flow stages(graph, chain,
               [&](const FrameRecords&) { limiter.decrementer().try_put(flow::continue_msg()); });
+  const WaitForGraph at_end(graph);
   flow::make_edge(source, limiter);
   flow::make_edge(limiter, stages.entry());
   source.activate();

@@ -32,17 +32,26 @@ class PacedFeed {
 
   /// Returns how many frames were dropped.
   std::int64_t run() {
-    graph_.reserve_wait();
-    std::thread feeder([this] {
-      feed();
-      graph_.release_wait();
-    });
-    graph_.wait_for_all();
+    const WaitForGraph at_end(graph_);
+    std::thread feeder = startFeeder();
+    chain_.guarded(Role::Source, [this] { graph_.wait_for_all(); });
     feeder.join();
     return dropped_;
   }
 
  private:
+  std::thread startFeeder() {
+    graph_.reserve_wait();
+    try {
+      return std::thread([this] {
+        chain_.guarded(Role::Source, [this] { feed(); });
+        graph_.release_wait();
+      });
+    } catch (...) {  // no thread
+      graph_.release_wait();
+      throw;
+    }
+  }
   void feed() {
     const auto start = Steady::now();
     std::optional<std::int64_t> first_ns;

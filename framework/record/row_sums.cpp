@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <set>
 #include <sstream>
 
@@ -39,6 +40,9 @@ class RowHash {
         fingerprint_.add(Kind::Null);
     }
   }
+  /// Whether SQLite had the memory to give all values.
+  bool isWhole() const { return is_whole_; }
+  void lose() { is_whole_ = false; }
   std::uint64_t value() const { return fingerprint_.first ^ std::rotl(fingerprint_.second, 32); }
 
  private:
@@ -57,6 +61,7 @@ class RowHash {
     fingerprint_.add(value);
   }
   void addBytes(Kind kind, const void* bytes, int size) {
+    if (bytes == nullptr && size > 0) return lose();
     fingerprint_.add(kind);
     fingerprint_.add(size);
     const char* next = static_cast<const char*>(bytes);
@@ -71,6 +76,7 @@ class RowHash {
   }
 
   Fingerprint fingerprint_;
+  bool is_whole_ = true;
 };
 
 /// A query whose values can be given to RowHash, which SQLiteCpp does not allow.
@@ -99,21 +105,28 @@ class RawStatement {
 
 using ValueOf = int (*)(sqlite3*, int, sqlite3_value**);
 
-std::uint64_t hashOf(sqlite3* database, ValueOf value_of) {
+RowHash hashOf(sqlite3* database, ValueOf value_of) {
   RowHash hash;
   for (int i = 0; i < sqlite3_preupdate_count(database); ++i) {
     sqlite3_value* value = nullptr;
-    if (value_of(database, i, &value) == SQLITE_OK) hash.add(value);
+    const bool is_given = value_of(database, i, &value) == SQLITE_OK && value != nullptr;
+    is_given ? hash.add(value) : hash.lose();
   }
-  return hash.value();
+  return hash;
 }
 
 void onWrite(void* sums, sqlite3* database, int operation, const char* /*schema*/,
              const char* table, sqlite3_int64 /*old_key*/, sqlite3_int64 /*new_key*/) {
   auto& kept = *static_cast<RowSums*>(sums);
   if (std::string_view(table) == "run") return;
-  if (operation != SQLITE_INSERT) kept.remove(table, hashOf(database, sqlite3_preupdate_old));
-  if (operation != SQLITE_DELETE) kept.add(table, hashOf(database, sqlite3_preupdate_new));
+  if (operation != SQLITE_INSERT) {
+    const RowHash row = hashOf(database, sqlite3_preupdate_old);
+    row.isWhole() ? kept.remove(table, row.value()) : kept.lose();
+  }
+  if (operation != SQLITE_DELETE) {
+    const RowHash row = hashOf(database, sqlite3_preupdate_new);
+    row.isWhole() ? kept.add(table, row.value()) : kept.lose();
+  }
 }
 
 std::vector<std::string> tablesWithSums() {
@@ -132,6 +145,7 @@ std::uint64_t sumOfRows(const Database& database, const std::string& table) {
     for (int i = 0; i < sqlite3_column_count(rows.get()); ++i) {
       hash.add(sqlite3_column_value(rows.get(), i));
     }
+    if (!hash.isWhole()) throw std::bad_alloc();
     sum += hash.value();
   }
   return sum;
@@ -175,6 +189,7 @@ void RowSums::remove(const char* table, std::uint64_t row) {
 }
 
 std::string RowSums::text() const {
+  if (is_lost_) throw SQLite::Exception("out of memory", SQLITE_NOMEM);
   std::string text;
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     text += (i == 0 ? "" : " ") + textOf(tables_[i], sums_[i]);

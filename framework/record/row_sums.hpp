@@ -32,7 +32,9 @@ class RowSums {
   /// ignored.
   void add(const char* table, std::uint64_t row);
   void remove(const char* table, std::uint64_t row);
-  /// `frame=0123456789abcdef motion=...`
+  /// A row was written whose values are not known, because memory is short.
+  void lose() { is_lost_ = true; }
+  /// `frame=0123456789abcdef motion=...`. Throws SQLite::Exception if a row was lost.
   std::string text() const;
 
  private:
@@ -41,6 +43,7 @@ class RowSums {
   // Not static: when a plugin calls exit(), statics are destroyed while rows are still written.
   std::vector<std::string> tables_;
   std::vector<std::uint64_t> sums_;
+  bool is_lost_ = false;
 };
 
 /// Updates `sums` with every row that the connection `database` writes from now on; `sums` must

@@ -59,14 +59,14 @@ std::string chunkIndices(const Counts& counts) {
   return bytes;
 }
 
-std::string statistics(const Counts& counts) {
+std::string statistics(const Counts& counts, bool totals_only) {
   std::string pairs;
   std::uint64_t all = 0;
   for (const auto& [id, count] : counts) {
     pairs += raw(id) + raw(std::uint64_t{count});
     all += count;
   }
-  return record(11, raw(all) + std::string(34, '\0') + prefixed(pairs));
+  return record(11, raw(all) + std::string(34, '\0') + prefixed(totals_only ? "" : pairs));
 }
 
 std::string footer(std::uint64_t summary_at, const std::string& summary) {
@@ -177,8 +177,15 @@ std::string mcapBytes(const std::vector<RosMessage>& messages, const McapStyle& 
     if (style.chunks && ++count % style.per_chunk == 0) close();
   }
   if (!open.empty()) close();
-  bytes += record(15, raw(std::uint32_t{0}));
-  const std::string summary = style.indexed ? declarations + statistics(all) : "";
+  std::uint32_t sum = 0;
+  if (style.summed_from >= 0) {
+    const std::string summed = bytes.substr(static_cast<std::size_t>(style.summed_from));
+    sum = static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const Bytef*>(summed.data()), static_cast<uInt>(summed.size())));
+  }
+  bytes += record(15, raw(sum));
+  const std::string summary =
+      style.indexed ? declarations + statistics(all, style.totals_only) : "";
   return bytes + summary + footer(bytes.size(), summary) + magic;
 }
 

@@ -101,6 +101,8 @@ struct McapStyle {
   bool sums = true;           ///< check sums of chunks
   std::string encoding = "cdr";
   bool indexed = false;  ///< chunks are followed by indices, and the data by a summary
+  int summed_from = -1;  ///< the data have a check sum: from byte 0, or 8, behind the magic bytes
+  bool totals_only = false;  ///< the summary does not count the messages of each channel
 };
 std::string mcapBytes(const std::vector<RosMessage>& messages, const McapStyle& style = {});
 void writeBytes(const std::filesystem::path& file, const std::string& bytes);

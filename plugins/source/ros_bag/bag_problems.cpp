@@ -36,6 +36,11 @@ std::string badIndex(std::string_view why) {
          "there by on_corrupt: skip";
 }
 
+std::string badDataSum() {
+  return "the messages do not match the check sum of the file; copy the file again, or use them as "
+         "they are by on_corrupt: skip";
+}
+
 std::string leftOut(const std::string& what) {
   return what + "; copy the bag again, or leave such messages out by on_corrupt: skip";
 }

@@ -19,6 +19,8 @@ std::string hasNoEnd(std::uint64_t at);
 std::string endsEarly(std::uint64_t at);
 /// The index at the end of the file is missing or damaged. `why`: "does not match its check sum".
 std::string badIndex(std::string_view why);
+/// Messages that no other check sum covers.
+std::string badDataSum();
 /// `what`: "has a damaged message at byte 7, and 3 more like it"
 std::string leftOut(const std::string& what);
 /// "WHAT was recorded at -5 ns, before 1970"

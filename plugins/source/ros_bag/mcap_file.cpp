@@ -3,7 +3,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "bag_problems.hpp"
 #include "compression.hpp"
@@ -13,6 +15,20 @@ namespace tolman::ros_bag {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
+
+/// The check sum of the bytes from `begin` to `end`; 0 if they cannot be read.
+std::uint32_t sumOf(FileBytes& file, std::uint64_t begin, std::uint64_t end) {
+  constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
+  std::vector<std::uint8_t> block(static_cast<std::size_t>(std::min(kBlock, end - begin)));
+  uLong sum = 0;
+  for (std::uint64_t at = begin; at < end; at += block.size()) {
+    block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), end - at)));
+    if (!file.read(at, block)) return 0;
+    sum = crc32_z(sum, block.data(), block.size());
+  }
+  return static_cast<std::uint32_t>(sum);
+}
+
 }  // namespace
 
 bool McapFile::isMcap(FileBytes& file) {
@@ -22,7 +38,8 @@ bool McapFile::isMcap(FileBytes& file) {
 
 void McapFile::visit(const MessageVisitor& visitor, FileDamage& damage) {
   McapIndex index = readMcapIndex(file());
-  Scan scan{visitor, damage, std::move(index.types), std::move(index.topics), {}, {}, {}};
+  Scan scan{visitor, damage, std::move(index.types), std::move(index.topics), {}, {}, {}, false};
+  scan.counts.indexAll(index.all_messages);
   for (const auto& [channel, messages] : index.messages) scan.counts.indexFile(channel, messages);
   const std::optional<std::uint64_t> end = visitRecords(scan);
   if (end && !index.problem.empty()) {
@@ -36,6 +53,7 @@ void McapFile::visit(const MessageVisitor& visitor, FileDamage& damage) {
     const auto topic = scan.topics.find(static_cast<std::uint16_t>(channel));
     damage.lose(topic == scan.topics.end() ? Topic() : topic->second, messages);
   });
+  damage.lose({}, scan.counts.missingOfNone());
 }
 
 /// Visits the records up to the end of the data; the place behind them, or nothing if they were cut
@@ -63,9 +81,27 @@ std::optional<std::uint64_t> McapFile::visitRecords(Scan& scan) {
       problems.push_back(endsWithin(at - kMcapRecordHeader));
       return std::nullopt;
     }
+    if (kind == kMcapDataEnd) checkSum(at, size, scan);
     at += size;
     if (kind == kMcapDataEnd) return at;  // what follows is the index
   }
+}
+
+/// Whether writers count the magic bytes and the header to the data differs.
+void McapFile::checkSum(std::uint64_t at, std::uint64_t size, Scan& scan) {
+  std::array<std::uint8_t, sizeof(std::uint32_t)> bytes{};
+  if (!scan.has_unsummed || size < bytes.size() || !file().read(at, bytes)) return;
+  const auto sum = ByteReader(bytes).number<std::uint32_t>();
+  std::array<std::uint8_t, kMcapRecordHeader> header{};
+  if (sum == 0 || !file().read(kMagic.size(), header)) return;
+  const std::uint64_t behind_header =
+      kMagic.size() + header.size() + ByteReader(Bytes(header).subspan(1)).number<std::uint64_t>();
+  const std::uint64_t end = at - kMcapRecordHeader;
+  for (const std::uint64_t begin :
+       {std::uint64_t{0}, std::uint64_t{kMagic.size()}, behind_header}) {
+    if (begin <= end && sumOf(file(), begin, end) == sum) return;
+  }
+  scan.damage.problems.push_back(badDataSum());
 }
 
 void McapFile::visitRecord(std::uint8_t kind, Bytes contents, std::uint64_t chunk, std::uint64_t at,
@@ -91,6 +127,7 @@ void McapFile::visitRecord(std::uint8_t kind, Bytes contents, std::uint64_t chun
 }
 
 void McapFile::visitMessage(Bytes contents, std::uint64_t chunk, std::uint64_t at, Scan& scan) {
+  if (chunk == 0) scan.has_unsummed = true;
   ByteReader fields(contents);
   const auto channel = fields.number<std::uint16_t>();
   fields.number<std::uint32_t>();  // sequence number
@@ -140,6 +177,9 @@ Result<McapFile::Contents> McapFile::unpack(Bytes contents) {
 
 void McapFile::visitChunk(Bytes contents, std::uint64_t at, Scan& scan) {
   const Result<Contents> records = unpack(contents);
+  ByteReader head(contents);
+  head.take(3 * sizeof(std::uint64_t));  // times, and size when unpacked
+  if (head.number<std::uint32_t>() == 0) scan.has_unsummed = true;
   if (!records.isOk()) {
     scan.damage.problems.push_back(badChunk(at, records.status().message()));
     return;

@@ -27,12 +27,16 @@ class McapFile final : public ChunkedFile {
     FileDamage& damage;
     McapTypes types;
     McapTopics topics;
-    MessageCounts counts;  ///< by the number of the channel
-    Repeated damaged;      ///< messages
-    Repeated wrong_clock;  ///< messages
+    MessageCounts counts;       ///< by the number of the channel
+    Repeated damaged;           ///< messages
+    Repeated wrong_clock;       ///< messages
+    bool has_unsummed = false;  ///< messages without a check sum of their own, or of their chunk
   };
 
   std::optional<std::uint64_t> visitRecords(Scan& scan);
+  /// Compares the check sum of all data, in the record DataEnd with contents at `at`, where
+  /// messages have no other.
+  void checkSum(std::uint64_t at, std::uint64_t size, Scan& scan);
   /// `chunk`: start of the chunk whose record this is, 0 for none; `at`: start of the contents.
   void visitRecord(std::uint8_t kind, Bytes contents, std::uint64_t chunk, std::uint64_t at,
                    Scan& scan);

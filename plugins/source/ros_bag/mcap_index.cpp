@@ -15,15 +15,20 @@ constexpr std::uint64_t kMcapMagicSize = 8;
 constexpr std::uint64_t kTail = kMcapRecordHeader + kFooterSize + kMcapMagicSize;
 constexpr std::uint64_t kMostIndexBytes = std::uint64_t{256} << 20U;
 
+std::int64_t countOf(std::uint64_t messages) {
+  return static_cast<std::int64_t>(std::min(messages, std::uint64_t{1} << 48));
+}
+
 /// Numbers of messages in a record of statistics.
 void takeStatistics(ByteReader& fields, McapIndex& index) {
-  fields.take(8 + 2 + 4 * 4 + 2 * 8);  // totals of messages and other records, first and last time
+  index.all_messages = countOf(fields.number<std::uint64_t>());
+  fields.take(2 + 4 * 4 + 2 * 8);  // totals of other records, first and last time
   ByteReader pairs(fields.take(fields.number<std::uint32_t>()));
   while (fields.ok() && pairs.left() > 0) {
     const auto channel = pairs.number<std::uint16_t>();
     const auto messages = pairs.number<std::uint64_t>();
     if (!pairs.ok()) return;
-    index.messages[channel] = static_cast<std::int64_t>(std::min(messages, std::uint64_t{1} << 48));
+    index.messages[channel] = countOf(messages);
   }
 }
 
@@ -83,6 +88,7 @@ McapIndex readMcapIndex(FileBytes& file) {
     index.types.clear();
     index.topics.clear();
     index.messages.clear();
+    index.all_messages = 0;
   }
   return index;
 }

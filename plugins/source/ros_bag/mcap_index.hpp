@@ -39,6 +39,7 @@ struct McapIndex {
   McapTypes types;
   McapTopics topics;
   std::map<std::uint16_t, std::int64_t> messages;  ///< by the number of the channel; may be empty
+  std::int64_t all_messages = 0;                   ///< 0 without statistics
 };
 
 McapIndex readMcapIndex(FileBytes& file);

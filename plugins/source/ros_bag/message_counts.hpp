@@ -17,9 +17,18 @@ class MessageCounts {
   }
   /// By the index of the whole file.
   void indexFile(std::uint32_t channel, std::int64_t messages) { of_[channel].listed += messages; }
+  /// All messages, by an index that may not tell the channels apart.
+  void indexAll(std::int64_t messages) { all_ = messages; }
   /// A message that was found, also if it cannot be used.
   void find(std::uint32_t channel) { ++of_[channel].found; }
 
+  /// Missing messages whose channel is not known.
+  std::int64_t missingOfNone() const {
+    std::int64_t missing = all_;
+    for (const auto& [channel, counts] : of_)
+      missing -= std::max({counts.indexed, counts.listed, counts.found});
+    return std::max<std::int64_t>(0, missing);
+  }
   /// Calls visit(channel, messages) for those of which messages are missing.
   template <class Visit>
   void visitMissing(Visit&& visit) const {
@@ -36,6 +45,7 @@ class MessageCounts {
     std::int64_t found = 0;
   };
   std::map<std::uint32_t, Counts> of_;
+  std::int64_t all_ = 0;
 };
 
 }  // namespace tolman::ros_bag

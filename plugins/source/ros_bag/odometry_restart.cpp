@@ -9,8 +9,8 @@ namespace tolman::ros_bag {
 namespace {
 
 // Chosen, not tuned.
-constexpr double kLeastJump = 1;    // m
-constexpr double kLongStep = 5;     // times the longest step before
+constexpr double kLeastJump = 0.1;  // m
+constexpr double kLongStep = 10;    // times the longest step before
 constexpr double kNearFirst = 0.1;  // of the jump
 
 }  // namespace

@@ -143,4 +143,44 @@ TEST_CASE("lengths that lie do no harm") {
   CHECK(readAll(unknown).problems.at(0).find("unknown compression") != std::string::npos);
 }
 
+TEST_CASE("messages without a check sum of their own are compared with that of the data") {
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < 7; ++i) {
+    messages.push_back({"/a", "t", i, "message " + std::to_string(i)});
+  }
+  const int header = 8 + 9 + 16;  // magic bytes; kind, length and two texts of 4 letters
+  test::McapStyle style;
+  style.sums = false;
+  style.chunks = GENERATE(true, false);
+  style.indexed = GENERATE(true, false);
+  style.summed_from = GENERATE_COPY(0, 8, header, -1);
+  CAPTURE(style.chunks, style.indexed, style.summed_from);
+  std::string bytes = test::mcapBytes(messages, style);
+  CHECK(readAll(bytes).problems.empty());
+  bytes[bytes.find("message 3")] = 'M';
+  const Read changed = readAll(bytes);
+  CHECK(changed.messages.size() == 7);
+  if (style.summed_from < 0) {
+    CHECK(changed.problems.empty());  // nothing can tell
+  } else {
+    REQUIRE(changed.problems.size() == 1);
+    CHECK(changed.problems[0].starts_with("the messages do not match the check sum of the file"));
+  }
+}
+
+TEST_CASE("a summary that counts all messages together tells that some are missing") {
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < 7; ++i) messages.push_back({"/a", "t", i, "m" + std::to_string(i)});
+  test::McapStyle style;
+  style.chunks = false;
+  style.indexed = true;
+  style.totals_only = true;
+  std::string bytes = test::mcapBytes(messages, style);
+  CHECK(readAll(bytes).lost.empty());
+  const std::size_t kind = bytes.find("m3") - 2 * 8 - 4 - 2 - 9;  // before times, number, channel
+  REQUIRE(bytes[kind] == 5);
+  bytes[kind] = 100;  // a record of a kind that is not known
+  CHECK_THAT(readAll(bytes).lost, Catch::Contains("1 message"));
+}
+
 }  // namespace tolman::ros_bag
