@@ -12,6 +12,7 @@
 
 #include "evaluation/alignment.hpp"
 #include "evaluation/errors.hpp"
+#include "evaluation/turns.hpp"
 
 namespace tolman::evaluation {
 namespace {
@@ -68,28 +69,11 @@ struct Turns {
   }
 };
 
-Eigen::Vector3d turnBetween(const TrajectoryPose& from, const TrajectoryPose& to) {
-  const Eigen::AngleAxisd rotation(
-      (from.T_world_camera.inverse() * to.T_world_camera).linear().eval());
-  return rotation.angle() * rotation.axis();
-}
-
-/// A turn ends where the truth or the estimate has turned by kTurn: over shorter ones the noise of
-/// both, such as the vibration of a car, is larger than the turn. Turns in a gap of tracking or of
-/// the truth are left out, and those beyond a right angle: about which axis is then uncertain.
 Turns turnsOf(const Matches& matches) {
-  constexpr double kTurn = 5 * kDegree;
-  constexpr double kRight = 90 * kDegree;
   Turns sums;
-  for (std::size_t begin = 0, i = 1; i < matches.size(); ++i) {
-    if (!matches.estimate[i].tracked || !matches.inOnePiece(begin, i)) begin = i;
-    const Eigen::Vector3d truth = turnBetween(matches.truth[begin], matches.truth[i]);
-    const Eigen::Vector3d estimate = turnBetween(matches.estimate[begin], matches.estimate[i]);
-    const double larger = std::max(truth.norm(), estimate.norm());
-    if (larger < kTurn) continue;
-    begin = i;
-    if (larger < kRight) sums.add(truth, estimate);
-  }
+  visitTurns(matches, [&](const Eigen::Vector3d& truth, const Eigen::Vector3d& estimate) {
+    sums.add(truth, estimate);
+  });
   return sums;
 }
 

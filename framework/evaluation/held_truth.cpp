@@ -27,19 +27,9 @@ bool isRepeated(const Matches& pairs, std::size_t i) {
 
 /// Median distance between consecutive poses that differ, m; 0 without any.
 double usualStep(const Trajectory& path) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const double step = distanceBetween(path, i - 1, i);
-    if (step > 0) steps.push_back(step);
-  }
+  std::vector<double> steps = stepLengths(path);
+  std::erase(steps, 0);
   return statistics(steps).median;
-}
-
-/// Distances between consecutive poses, m.
-Statistics stepsOf(const Trajectory& path) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < path.size(); ++i) steps.push_back(distanceBetween(path, i - 1, i));
-  return statistics(steps);
 }
 
 /// The shortest way that an estimate must differ by, m.
@@ -90,7 +80,7 @@ std::optional<Held> heldStretch(const Matches& pairs) {
   constexpr double kUsualSpeed = 0.25;  // of the truth's where it moves; chosen, not tuned
   constexpr double kShortest = 5;       // frames without a jump; chosen, not tuned
   const double moved = leastWay(pairs.truth);
-  const double usual = stepsOf(pairs.estimate).median;
+  const double usual = statistics(stepLengths(pairs.estimate)).median;
   const double driven = usualStep(pairs.truth);
   for (std::size_t first = 0, i = 1; i <= pairs.size(); ++i) {
     if (i < pairs.size() && isRepeated(pairs, i)) continue;
@@ -140,7 +130,7 @@ std::string heldHint(const Matches& aligned) {
 }
 
 std::string jumpHint(const Matches& aligned) {
-  const Statistics usual = stepsOf(aligned.truth);
+  const Statistics usual = statistics(stepLengths(aligned.truth));
   const double least = leastWay(aligned.truth);
   for (std::size_t i = 2; i + 1 < aligned.size(); ++i) {
     const double jump = distanceBetween(aligned.truth, i - 1, i);

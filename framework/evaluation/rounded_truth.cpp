@@ -49,11 +49,7 @@ double unitOf(const std::vector<double>& steps) {
 /// was made by hand are alike.
 bool stepsDiffer(const Trajectory& truth, double unit) {
   constexpr double kShare = 0.02;  // of the steps; chosen, not tuned
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < truth.size(); ++i) {
-    steps.push_back(
-        (truth[i].T_world_camera.translation() - truth[i - 1].T_world_camera.translation()).norm());
-  }
+  const std::vector<double> steps = stepLengths(truth);
   const double usual = statistics(steps).median;
   const auto others = std::ranges::count_if(
       steps, [&](double step) { return std::fabs(step - usual) > 0.3 * unit; });

@@ -24,6 +24,16 @@ std::vector<double> distances(const Trajectory& trajectory) {
   return result;
 }
 
+std::vector<double> stepLengths(const Trajectory& trajectory) {
+  std::vector<double> result;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    result.push_back((trajectory[i].T_world_camera.translation() -
+                      trajectory[i - 1].T_world_camera.translation())
+                         .norm());
+  }
+  return result;
+}
+
 double pathLength(const Trajectory& trajectory) {
   return trajectory.empty() ? 0 : distances(trajectory).back();
 }

@@ -26,6 +26,9 @@ bool hasStamps(const Trajectory& trajectory);
 /// added from one session to the next.
 std::vector<double> distances(const Trajectory& trajectory);
 
+/// Distances between consecutive poses, m, also of two sessions.
+std::vector<double> stepLengths(const Trajectory& trajectory);
+
 /// Length of the whole path, m; 0 for fewer than two poses.
 double pathLength(const Trajectory& trajectory);
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tolman/geometry.hpp"
+#include "evaluation/turns.hpp"
 
 namespace tolman::evaluation {
 namespace {
@@ -50,40 +50,25 @@ Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& products) {
   return u * svd.matrixV().transpose();
 }
 
-Vector6d motionBetween(const TrajectoryPose& from, const TrajectoryPose& to) {
-  return logSe3(from.T_world_camera.inverse() * to.T_world_camera);
+Eigen::Vector3d wayBetween(const TrajectoryPose& from, const TrajectoryPose& to) {
+  return (from.T_world_camera.inverse() * to.T_world_camera).translation();
 }
 
-bool isTracked(const Matches& matches, std::size_t i) {
-  return matches.estimate[i].tracked && matches.estimate[i - 1].tracked &&
-         matches.inOnePiece(i - 1, i);
-}
-
-/// Motions over 5 degrees or 5 m: over shorter ones noise is larger than what is turned.
 struct Motions {
   Directions ways;
   Directions turns;
 };
 
 Motions motionsOf(const Matches& matches) {
-  constexpr double kTurn = 5 * kDegree;
-  constexpr double kRight = 90 * kDegree;
   Motions motions;
-  for (std::size_t begin = 0, i = 1; i < matches.size(); ++i) {
-    if (!isTracked(matches, i)) {
-      begin = i;
-      continue;
-    }
-    motions.ways.add(motionBetween(matches.truth[i - 1], matches.truth[i]).head<3>(),
-                     motionBetween(matches.estimate[i - 1], matches.estimate[i]).head<3>());
-    const Eigen::Vector3d truth = motionBetween(matches.truth[begin], matches.truth[i]).tail<3>();
-    const Eigen::Vector3d estimate =
-        motionBetween(matches.estimate[begin], matches.estimate[i]).tail<3>();
-    const double larger = std::max(truth.norm(), estimate.norm());
-    if (larger < kTurn) continue;
-    begin = i;
-    if (larger < kRight) motions.turns.add(truth, estimate);
+  for (std::size_t i = 1; i < matches.size(); ++i) {
+    if (!isTrackedStep(matches, i)) continue;
+    motions.ways.add(wayBetween(matches.truth[i - 1], matches.truth[i]),
+                     wayBetween(matches.estimate[i - 1], matches.estimate[i]));
   }
+  visitTurns(matches, [&](const Eigen::Vector3d& truth, const Eigen::Vector3d& estimate) {
+    motions.turns.add(truth, estimate);
+  });
   return motions;
 }
 
@@ -119,10 +104,9 @@ std::string oppositeAxisHint(const Matches& matches) {
   Eigen::Array3d products = Eigen::Array3d::Zero(), truths = products, estimates = products;
   int count = 0;
   for (std::size_t i = 1; i < matches.size(); ++i) {
-    if (!isTracked(matches, i)) continue;
-    const Eigen::Array3d truth = motionBetween(matches.truth[i - 1], matches.truth[i]).tail<3>();
-    const Eigen::Array3d estimate =
-        motionBetween(matches.estimate[i - 1], matches.estimate[i]).tail<3>();
+    if (!isTrackedStep(matches, i)) continue;
+    const Eigen::Array3d truth = turnBetween(matches.truth[i - 1], matches.truth[i]);
+    const Eigen::Array3d estimate = turnBetween(matches.estimate[i - 1], matches.estimate[i]);
     products += truth * estimate;
     truths += truth.square();
     estimates += estimate.square();

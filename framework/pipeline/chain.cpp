@@ -281,8 +281,11 @@ void Chain::resume(const ResumePoint& point) {
 
 void Chain::count(const FrameRecords& records) {
   ++counters_.frames;
-  counters_.views = viewsOf(records.frame);
-  if (!records.frame.defect.empty()) ++counters_.defects;
+  if (records.frame.defect.empty()) {
+    counters_.views = viewsOf(records.frame);
+  } else {  // its images may have been taken away
+    ++counters_.defects;
+  }
   const bool lost = records.motion.state == TrackingState::Lost;
   if (lost) ++counters_.lost;
   if (records.motion.state == TrackingState::Initialising) ++counters_.initialising;

@@ -16,7 +16,9 @@ Result<Results> writeResults(const std::filesystem::path& directory,
   auto opened = record::RunReader::open(directory);
   if (!opened.isOk()) return opened.status();
   const record::RunReader& reader = *opened.value();
-  Status status = record::exportRun(reader, directory).status();
+  // Another program, or a disk, may have changed rows while the run went on.
+  Status status = record::checkRows(reader, {});
+  if (status.isOk()) status = record::exportRun(reader, directory).status();
   if (!status.isOk()) return status;
   auto run = report::readRun(reader, settings, seed);
   if (!run.isOk()) return run.status();

@@ -228,7 +228,7 @@ Status VideoFile::feed() {
   const int read = av_read_frame(container_, packet_);
   if (read < 0) {
     fed_all_ = true;
-    cut_ = cut_ || read != AVERROR_EOF;
+    cut_ = cut_ || read != AVERROR_EOF || hasRest();
     const int ended = avcodec_send_packet(decoder_, nullptr);
     return ended >= 0 || ended == AVERROR_EOF
                ? Status::ok()
@@ -236,6 +236,7 @@ Status VideoFile::feed() {
   }
   if (packet_->stream_index != stream_->index) return Status::ok();
   if (packet_->size > 0) ++packets_;
+  packets_end_ = packet_->pos + packet_->size;
   const bool is_jpeg = stream_->codecpar->codec_id == AV_CODEC_ID_MJPEG;
   cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 || (is_jpeg && !hasJpegEnd(*packet_));
   if (cut_) damage_ = "its data are not complete";
@@ -244,6 +245,11 @@ Status VideoFile::feed() {
   const int sent = avcodec_send_packet(decoder_, packet_);
   if (sent < 0 && sent != AVERROR(EAGAIN)) damage_ = libavError(sent);
   return Status::ok();
+}
+
+bool VideoFile::hasRest() const {
+  const bool is_y4m = std::string_view(container_->iformat->name) == "yuv4mpegpipe";
+  return is_y4m && packets_ > 0 && avio_tell(container_->pb) > packets_end_;
 }
 
 bool VideoFile::endsEarly() const {

@@ -46,6 +46,8 @@ class VideoFile final : public Capture {
   Status openDecoder();
   /// Sends one packet of the stream, or the end, to the decoder.
   Status feed();
+  /// Whether bytes are left behind the last packet, of a format whose pictures have all one size.
+  bool hasRest() const;
   bool endsEarly() const;
   Status fill(bool wanted, Picture& picture);
   bool saysTimes() const;
@@ -67,9 +69,10 @@ class VideoFile final : public Capture {
   std::int64_t end_ = 0;    ///< of the pictures in the packets so far, units of the stream
   std::int64_t start_ = 0;  ///< time of the first picture, units of the stream
   std::int64_t pictures_ = 0;
-  std::int64_t packets_ = 0;  ///< with data, of the stream
-  std::int64_t indexed_ = 0;  ///< that an index names; 0 without one
-  std::int64_t sound_ = 0;    ///< pictures before the first damaged one
+  std::int64_t packets_end_ = 0;  ///< byte behind the last one
+  std::int64_t packets_ = 0;      ///< with data, of the stream
+  std::int64_t indexed_ = 0;      ///< that an index names; 0 without one
+  std::int64_t sound_ = 0;        ///< pictures before the first damaged one
 };
 
 }  // namespace tolman::video

@@ -178,6 +178,30 @@ TEST_CASE("a picture of a Motion JPEG that has lost its second half, with or wit
   CHECK_FALSE(skipped.frames[19].left.empty());
 }
 
+TEST_CASE("a Y4M stream that ends in the middle of a picture") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.y4m";
+  constexpr std::size_t kPixels = 64 * 48;
+  std::string bytes = "YUV4MPEG2 W64 H48 F10:1 Cmono\n";
+  for (int i = 0; i < 12; ++i)
+    bytes += "FRAME\n" + std::string(kPixels, static_cast<char>(100 + i));
+  const ParameterValues rate = {{"rate", 10.0}};
+  const auto write = [&](std::size_t lost) {
+    std::ofstream(file, std::ios::binary) << bytes.substr(0, bytes.size() - lost);
+  };
+  write(0);
+  const Played whole(file, rate);
+  CHECK(whole.message.empty());
+  CHECK(whole.frames.size() == 12);
+  for (const std::size_t lost : {std::size_t{1}, kPixels - 1, 5 * kPixels}) {
+    CAPTURE(lost);
+    write(lost);
+    CHECK_THAT(Played(file, rate).message, Catch::Contains("ends in the middle of a picture"));
+  }
+  write(kPixels + 6);  // between two pictures: nothing tells
+  CHECK(Played(file, rate).frames.size() == 11);
+}
+
 TEST_CASE("raw streams say no times, and none are invented") {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "video.m2v";
