@@ -26,13 +26,13 @@ Eigen::Vector3d step(const Trajectory& path, std::size_t from, std::size_t to) {
 }
 Eigen::Vector3d step(const Trajectory& path, std::size_t i) { return step(path, i - 1, i); }
 
-/// Sums over all steps, weighted by length: a camera at rest has no direction of motion. A step
-/// ends where the truth has moved by `least` m.
+/// Sums over all steps, weighted by length: a camera at rest has no direction of motion.
 struct Steps {
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  ///< of true and estimated steps
   double lengths = 0;                                  ///< products of their lengths
 };
 
+/// A step ends where the truth has moved by `least` m.
 Steps stepsOf(const Trajectory& truths, const Trajectory& estimates, double least = 0) {
   Steps sums;
   for (std::size_t begin = 0, i = 1; i < truths.size(); ++i) {

@@ -8,16 +8,15 @@
 
 namespace tolman::evaluation {
 
-/// The units of positions, of 1 mm and more: of decimal digits, degrees, or numbers of 32 bits.
+/// The unit to which positions were rounded, 1 mm or more, and what it does to the error.
 struct Rounding {
   double unit = 0;   ///< m, the coarsest of the axes; 0 if positions are no multiples of one
   double error = 0;  ///< m, root mean square of what the rounding of all axes makes
 };
 
-/// Whether all steps along an axis are multiples of a unit. An axis in which nothing moves says
-/// nothing. `truth` is as it was read: a rotated world has no
-/// units. A unit u makes an error of u / sqrt(12) in its axis,
-/// 0 where all steps are alike.
+/// The unit of an axis is the greatest one of which all its steps are multiples; it makes an error
+/// of u / sqrt(12) in that axis. Both are 0 for an axis in which nothing moves. The error is 0 if
+/// all steps are alike. `truth` must be as it was read: after a rotation it has no units.
 Rounding roundingOf(const Trajectory& truth);
 
 /// A warning if that error is over a third of `rmse`, the position error of the estimate, and not

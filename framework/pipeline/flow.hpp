@@ -12,8 +12,8 @@
 
 namespace tolman::pipeline {
 
-/// At its end no task of the graph is left, also where an exception ends its scope early: a task
-/// uses the nodes. It must be destroyed before the nodes are.
+/// Its destructor waits until no task of the graph is left, also after an exception. Tasks use the
+/// nodes, so it must be destroyed before them.
 class WaitForGraph {
  public:
   explicit WaitForGraph(tbb::flow::graph& graph) : graph_(graph) {}

@@ -44,7 +44,7 @@ inline constexpr std::string_view kStoodStill =
     "no motion in the whole run: odometry answered exactly zero at each frame; if the camera "
     "moved, see `tolman dataset check`, and `tolman plugins validate` for the plugin";
 
-/// What a frame shows the world by.
+/// The images that a frame has.
 enum class Views : std::uint8_t { Pair, Single, Depth, None };
 
 /// Counters of the health of a run.

@@ -10,8 +10,8 @@
 namespace tolman::report {
 
 /// The bytes of a PNG file with `zoom` pixels per unit of the SVG. Failed if the text is not SVG,
-/// or if the picture is too large. Throws std::bad_alloc where memory
-/// is short.
+/// or if the picture is too large. Throws std::bad_alloc if memory is
+/// short.
 Result<std::string> pngOf(const std::string& svg, double zoom = 2);
 
 /// The bytes of a PDF file of one page, with `points` (1/72 inch) per unit of the SVG: lines and
