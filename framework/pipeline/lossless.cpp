@@ -3,6 +3,7 @@
 
 #include "pipeline/drive.hpp"
 #include "pipeline/flow.hpp"
+#include "pipeline/input_end.hpp"
 
 namespace tolman::pipeline {
 namespace {
@@ -21,7 +22,7 @@ FrameRecordsPtr nextFrame(Chain& chain, const Cancellation& cancellation) {
     chain.admit(*records);
     return records;
   }
-  if (status.code() != StatusCode::EndOfStream) chain.failInput(status);
+  if (!isEndOfInput(status, cancellation)) chain.failInput(status);
   return nullptr;
 }
 

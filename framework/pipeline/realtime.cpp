@@ -10,6 +10,7 @@
 #include "pipeline/bounded_queue.hpp"
 #include "pipeline/drive.hpp"
 #include "pipeline/flow.hpp"
+#include "pipeline/input_end.hpp"
 
 namespace tolman::pipeline {
 namespace {
@@ -59,7 +60,7 @@ class PacedFeed {
       auto records = std::make_shared<FrameRecords>();
       const Status status = next(records->frame);
       if (!status.isOk()) {
-        if (status.code() != StatusCode::EndOfStream) chain_.failInput(status);
+        if (!isEndOfInput(status, cancellation_)) chain_.failInput(status);
         break;
       }
       const std::int64_t stamp_ns = records->frame.stamp_ns;

@@ -123,6 +123,28 @@ TEST_CASE("cancellation ends the run early, and what was done is finished") {
   CHECK(hooks.finished == 4);
 }
 
+TEST_CASE("a source that notices the interruption itself has not failed") {
+  for (const auto mode : {config::PipelineMode::Lossless, config::PipelineMode::Realtime}) {
+    Hooks hooks;
+    ToySystem system(hooks);
+    hooks.source = [&](std::int64_t frame) -> Status {
+      system.flag.set = frame == 3;
+      return frame == 3 ? Status{StatusCode::Cancelled, "reading was cancelled"} : Status::ok();
+    };
+    config::PipelineSettings settings;
+    settings.mode = mode;
+    const auto result = system.drive(settings, 2);
+    CHECK(result.interrupted);
+    CHECK_FALSE(result.failure);
+    CHECK(result.counters.frames == 3);
+    system.flag.set = false;
+    Hooks others;
+    ToySystem not_interrupted(others);
+    others.source = [](std::int64_t) { return Status{StatusCode::Cancelled, "not asked for"}; };
+    CHECK(not_interrupted.drive(settings, 2).failure);
+  }
+}
+
 TEST_CASE("order holds when the stages are so quick that threads overtake one another") {
   Hooks hooks;
   hooks.frames = 20'000;

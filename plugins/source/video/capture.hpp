@@ -7,6 +7,7 @@
 
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
+#include "value_widths.hpp"
 
 namespace tolman::video {
 
@@ -19,9 +20,16 @@ struct PictureSize {
 /// One picture. Its image is empty if it was not requested or is damaged.
 struct Picture {
   Image image;
-  std::int64_t stamp_ns = 0;  ///< of a file: since its first picture
-  bool timed = false;         ///< false: the file contains no times
-  std::string defect;         ///< why the image is missing
+  std::int64_t stamp_ns = 0;                   ///< of a file: since its first picture
+  bool timed = false;                          ///< false: the file contains no times
+  std::string defect;                          ///< why the image is missing
+  source_parameters::ValueWidths widths = {};  ///< of its values, if they are grey with 16 bits
+};
+
+/// What was found at the end of a stream; texts for people, empty if nothing.
+struct StreamEnd {
+  std::string defect;   ///< why it is incomplete, with a remedy
+  std::string warning;  ///< what can be wrong with it
 };
 
 class Capture {
@@ -33,8 +41,8 @@ class Capture {
   virtual std::string description() const = 0;
   /// The next picture; `wanted`: with its pixels. EndOfStream after the last.
   virtual Status next(bool wanted, Picture& picture) = 0;
-  /// After EndOfStream: why the stream is incomplete, with a remedy; empty if it is complete.
-  virtual std::string defectOfEnd() const { return {}; }
+  /// After EndOfStream.
+  virtual StreamEnd end() const { return {}; }
 };
 
 }  // namespace tolman::video

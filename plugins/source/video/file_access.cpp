@@ -36,10 +36,16 @@ Status cannotOpen(const std::string& path, int error) {
   return file_opening::isDescriptorLimit(error) ? Status::failed(status.message()) : status;
 }
 
-Status waitForData(const std::string& path, int pipe, double patience_s) {
+Status waitForData(const std::string& path, int pipe, const Cancellation& cancellation,
+                   double patience_s) {
+  constexpr int kStep = 50;  // ms, until an interruption takes effect
   pollfd waiting{pipe, POLLIN, 0};
-  const int ready = ::poll(&waiting, 1, static_cast<int>(patience_s * 1000));
-  if (ready > 0 && (waiting.revents & POLLIN) != 0) return Status::ok();
+  for (double waited_ms = 0; waited_ms < patience_s * 1000; waited_ms += kStep) {
+    const int ready = ::poll(&waiting, 1, kStep);
+    if (ready > 0 && (waiting.revents & POLLIN) != 0) return Status::ok();
+    if (cancellation.requested()) return {StatusCode::Cancelled, "waiting was cancelled"};
+    if (ready > 0) break;  // its writer has ended
+  }
   return Status::invalidInput(path +
                               ": nothing was written into this pipe; start the program that "
                               "writes the video into it");
@@ -51,7 +57,8 @@ OpenFile::~OpenFile() {
   if (number_ >= 0) ::close(number_);
 }
 
-Result<PathKind> findKind(const std::filesystem::path& path, OpenFile& pipe, double patience_s) {
+Result<PathKind> findKind(const std::filesystem::path& path, OpenFile& pipe,
+                          const Cancellation& cancellation, double patience_s) {
   const std::string name = path.string();
   OpenFile file(::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0) return cannotOpen(name, errno);
@@ -67,7 +74,7 @@ Result<PathKind> findKind(const std::filesystem::path& path, OpenFile& pipe, dou
                                 ": is a folder, not a video; name the file, or read a "
                                 "folder of images by the source images");
   }
-  const Status status = waitForData(name, file.get(), patience_s);
+  const Status status = waitForData(name, file.get(), cancellation, patience_s);
   if (!status.isOk()) return status;
   pipe = std::move(file);
   return PathKind::Pipe;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "tolman/context.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::video {
@@ -36,6 +37,6 @@ class OpenFile {
 /// waits until data are written, at most `patience_s`, and leaves it open, non-blocking, as `pipe`,
 /// because data in a pipe can be read only once.
 Result<PathKind> findKind(const std::filesystem::path& path, OpenFile& pipe,
-                          double patience_s = 10);
+                          const Cancellation& cancellation, double patience_s = 10);
 
 }  // namespace tolman::video

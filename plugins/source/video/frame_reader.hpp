@@ -22,8 +22,8 @@ class FrameReader {
   explicit FrameReader(OpenCapture open, std::size_t most_bytes = std::size_t{256} << 20U)
       : open_(std::move(open)), most_bytes_(most_bytes) {}
 
-  /// Decodes the whole file for the times of all pictures. `end`: Capture::defectOfEnd().
-  Status readTimes(std::vector<Picture>& pictures, std::string& end);
+  /// Decodes the whole file for the times of all pictures. `end`: Capture::end().
+  Status readTimes(std::vector<Picture>& pictures, StreamEnd& end);
   /// Picture `index`, which must exist.
   Status read(std::int64_t index, Picture& picture);
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_converter.hpp"
 
+#include <algorithm>
 #include <array>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "tolman/image_cv.hpp"
 
@@ -42,13 +44,31 @@ AVPixelFormat plainFormat(AVPixelFormat format) {
 
 }  // namespace
 
-PictureConverter::PictureConverter(bool colour, int quarter_turns)
-    : colour_(colour), quarter_turns_(quarter_turns) {}
+PictureConverter::PictureConverter(bool colour, int bits, int quarter_turns)
+    : colour_(colour), bits_(bits), quarter_turns_(quarter_turns) {}
 
 PictureConverter::~PictureConverter() { sws_freeContext(scaler_); }
 
-Result<Image> PictureConverter::convert(const AVFrame& picture) {
+Image PictureConverter::narrowed(const AVFrame& picture,
+                                 source_parameters::ValueWidths& widths) const {
+  cv::Mat grey(picture.height, picture.width, CV_8UC1);
+  for (int y = 0; y < picture.height; ++y) {
+    const auto* row = reinterpret_cast<const std::uint16_t*>(
+        picture.data[0] + std::ptrdiff_t{y} * picture.linesize[0]);
+    auto* narrow = grey.ptr<std::uint8_t>(y);
+    for (int x = 0; x < picture.width; ++x) {
+      widths.add(row[x]);
+      narrow[x] = static_cast<std::uint8_t>(std::min(row[x] >> (bits_ - 8), 255));
+    }
+  }
+  if (colour_) cv::cvtColor(grey, grey, cv::COLOR_GRAY2BGR);
+  return asImage(grey);
+}
+
+Result<Image> PictureConverter::convert(const AVFrame& picture,
+                                        source_parameters::ValueWidths& widths) {
   const auto format = static_cast<AVPixelFormat>(picture.format);
+  if (format == AV_PIX_FMT_GRAY16) return turned(narrowed(picture, widths), quarter_turns_);
   const AVPixelFormat plain = plainFormat(format);
   scaler_ = sws_getCachedContext(scaler_, picture.width, picture.height, plain, picture.width,
                                  picture.height, colour_ ? AV_PIX_FMT_BGR24 : AV_PIX_FMT_GRAY8,

@@ -53,9 +53,12 @@ std::int64_t indexedPictures(const AVFormatContext& container, AVStream& stream)
 }
 
 /// The end of the stream by its header, in the stream's units. Only some headers contain it; for
-/// several streams it is that of the longest one, which is not used.
-std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream) {
+/// several streams it is that of the longest one, which is not used. `fragments_s`: length of all
+/// fragments, if known.
+std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream,
+                                        std::optional<double> fragments_s) {
   const std::int64_t start = stream.start_time == AV_NOPTS_VALUE ? 0 : stream.start_time;
+  if (fragments_s) return start + std::llround(*fragments_s / av_q2d(stream.time_base));
   if (stream.nb_frames > 0 && stream.duration > 0) {
     // Of an AVI file without its index FFmpeg shortens the duration to what there is.
     const AVRational rate = stream.avg_frame_rate;
@@ -101,13 +104,15 @@ bool hasJpegEnd(const AVPacket& packet) {
 }  // namespace
 
 Result<std::unique_ptr<VideoFile>> VideoFile::open(const std::filesystem::path& path, int pipe,
-                                                   bool colour, const Cancellation& cancellation) {
+                                                   PixelChoice pixels,
+                                                   const Cancellation& cancellation) {
   std::unique_ptr<VideoFile> file(new VideoFile(path, cancellation));
   file->pipe_ = pipe;
   Status status = file->openStream();
   if (status.isOk()) status = file->openDecoder();
   if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
-  file->converter_ = std::make_unique<PictureConverter>(colour, file->quarter_turns_);
+  file->converter_ =
+      std::make_unique<PictureConverter>(pixels.colour, pixels.bits, file->quarter_turns_);
   return file;
 }
 
@@ -164,6 +169,9 @@ Status VideoFile::openDecoder() {
   int status = avcodec_parameters_to_context(decoder_, &coded);
   decoder_->pkt_timebase = stream_->time_base;
   decoder_->max_pixels = kMaxPixels;
+  if (coded.codec_id == AV_CODEC_ID_HEVC) {  // else its check sums of pictures are not compared
+    decoder_->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
+  }
   decoder_->thread_count = 1;  // threads of FFmpeg would run between two calls
   if (status >= 0) status = avcodec_open2(decoder_, codec, nullptr);
   if (status < 0) {
@@ -228,6 +236,7 @@ Status VideoFile::feed() {
   const int read = av_read_frame(container_, packet_);
   if (read < 0) {
     fed_all_ = true;
+    if (pipe_ < 0) container_check_ = checkContainer(path_, container_->iformat->name);
     cut_ = cut_ || read != AVERROR_EOF || hasRest();
     const int ended = avcodec_send_packet(decoder_, nullptr);
     return ended >= 0 || ended == AVERROR_EOF
@@ -241,7 +250,13 @@ Status VideoFile::feed() {
   cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 || (is_jpeg && !hasJpegEnd(*packet_));
   if (cut_) damage_ = "its data are not complete";
   if (is_jpeg && !cut_ && !isSoundJpeg(*packet_)) damage_ = "its data cannot be decoded";
-  if (packet_->pts != AV_NOPTS_VALUE) end_ = std::max(end_, packet_->pts + packet_->duration);
+  const bool is_ffv1 = stream_->codecpar->codec_id == AV_CODEC_ID_FFV1;
+  if (is_ffv1 && packet_->size > 0 && ffv1_.isDamaged(bytesOf(*packet_))) {
+    damage_ = "a check sum of its data, or of those before, does not match";
+  }
+  // Of pictures that are coded in another order AVI has no times, but those of the packets.
+  const std::int64_t time = packet_->pts != AV_NOPTS_VALUE ? packet_->pts : packet_->dts;
+  if (time != AV_NOPTS_VALUE) end_ = std::max(end_, time + packet_->duration);
   const int sent = avcodec_send_packet(decoder_, packet_);
   if (sent < 0 && sent != AVERROR(EAGAIN)) damage_ = libavError(sent);
   return Status::ok();
@@ -254,7 +269,8 @@ bool VideoFile::hasRest() const {
 
 bool VideoFile::endsEarly() const {
   if (packets_ < indexed_) return true;
-  const std::optional<std::int64_t> promised = promisedEnd(*container_, *stream_);
+  const std::optional<std::int64_t> promised =
+      promisedEnd(*container_, *stream_, container_check_.promised_s);
   const AVRational rate = stream_->avg_frame_rate;
   if (!promised || !saysTimes() || rate.num <= 0 || rate.den <= 0) return false;
   const std::int64_t one = av_rescale_q(1, {rate.den, rate.num}, stream_->time_base);
@@ -263,6 +279,11 @@ bool VideoFile::endsEarly() const {
 
 std::string VideoFile::defectOfEnd() const {
   const bool in_picture = cut_ || !damage_.empty();
+  if (!in_picture && !endsEarly() && !container_check_.defect.empty()) {
+    return path_.string() + ": " + container_check_.defect +
+           ", and pictures can be missing; copy or record it again, or use what can be read by "
+           "on_corrupt: skip";
+  }
   if (!in_picture && !endsEarly()) return {};
   if (!in_picture &&
       isAvi(*container_)) {  // it has no times, so a gap in the middle moves the rest
@@ -280,24 +301,56 @@ std::string VideoFile::defectOfEnd() const {
          " to use those";
 }
 
+std::string VideoFile::warningOfEnd() const {
+  const std::int64_t lost = packets_ - pictures_;
+  const std::string gap = gaps_.warning();
+  if (!gap.empty()) return path_.string() + ": " + gap;
+  if (lost <= 0) return {};
+  return path_.string() + ": no picture came of " + std::to_string(lost) + " of its " +
+         std::to_string(packets_) +
+         " coded pictures: they are damaged, or changes of one before the first";
+}
+
+std::int64_t VideoFile::timeOfFrame() {
+  std::int64_t time = frame_->best_effort_timestamp;
+  const AVRational rate = stream_->avg_frame_rate;
+  // AVI has one rate, and no times of pictures that are coded in another order.
+  const bool at_rate = isAvi(*container_) && pictures_ > 0 && rate.num > 0 && rate.den > 0;
+  if (time == AV_NOPTS_VALUE && at_rate && time_ != AV_NOPTS_VALUE) {
+    time = time_ + av_rescale_q(1, {rate.den, rate.num}, stream_->time_base);
+  }
+  return time_ = time;
+}
+
+std::string VideoFile::defectOfFrame() {
+  const std::string picture = "picture " + std::to_string(pictures_ - 1);
+  const bool concealed =
+      frame_->decode_error_flags != 0 || (frame_->flags & AV_FRAME_FLAG_CORRUPT) != 0;
+  if (!damage_.empty() || concealed) {
+    complete_ = false;
+    return picture + " is damaged" + (damage_.empty() ? "" : ": " + std::exchange(damage_, ""));
+  }
+  const AVCodecDescriptor* codec = decoder_->codec_descriptor;
+  const bool by_itself = frame_->key_frame != 0 || frame_->pict_type == AV_PICTURE_TYPE_I ||
+                         (codec != nullptr && (codec->props & AV_CODEC_PROP_INTRA_ONLY) != 0);
+  complete_ = complete_ || by_itself;
+  return complete_ ? "" : picture + " was coded as a change of one that is damaged or missing";
+}
+
 Status VideoFile::fill(bool wanted, Picture& picture) {
-  const std::int64_t time = frame_->best_effort_timestamp;
+  const std::int64_t time = timeOfFrame();
   if (pictures_ == 0) start_ = time;
   ++pictures_;
   picture.timed = saysTimes() && time != AV_NOPTS_VALUE && start_ != AV_NOPTS_VALUE;
   if (picture.timed) {
     picture.stamp_ns = av_rescale_q(time - start_, stream_->time_base, {1, 1'000'000'000});
   }
-  if (!damage_.empty() || frame_->decode_error_flags != 0 ||
-      (frame_->flags & AV_FRAME_FLAG_CORRUPT) != 0) {
-    picture.defect = "picture " + std::to_string(pictures_ - 1) + " is damaged" +
-                     (damage_.empty() ? "" : ": " + damage_);
-    damage_.clear();
-    return Status::ok();
-  }
+  if (picture.timed) gaps_.add(picture.stamp_ns);
+  picture.defect = defectOfFrame();
+  if (!picture.defect.empty()) return Status::ok();
   if (sound_ == pictures_ - 1) sound_ = pictures_;
   if (!wanted) return Status::ok();
-  Result<Image> image = converter_->convert(*frame_);
+  Result<Image> image = converter_->convert(*frame_, picture.widths);
   if (!image.isOk()) {
     return {image.status().code(), path_.string() + ": " + image.status().message()};
   }

@@ -10,7 +10,10 @@
 #include <memory>
 
 #include "capture.hpp"
+#include "container_check.hpp"
+#include "ffv1_check.hpp"
 #include "picture_converter.hpp"
+#include "time_gaps.hpp"
 #include "tolman/context.hpp"
 
 struct AVCodecContext;
@@ -21,13 +24,20 @@ struct AVStream;
 
 namespace tolman::video {
 
+/// How pictures become images; see PictureConverter.
+struct PixelChoice {
+  bool colour = false;
+  int bits = 16;
+};
+
 class VideoFile final : public Capture {
  public:
   /// Opens the first video stream. InvalidInput with a remedy if it is not a video. `pipe`: the
   /// open pipe, which must outlive this object, or -1 for a file. `cancellation` ends the wait for
   /// a pipe.
   static Result<std::unique_ptr<VideoFile>> open(const std::filesystem::path& path, int pipe,
-                                                 bool colour, const Cancellation& cancellation);
+                                                 PixelChoice pixels,
+                                                 const Cancellation& cancellation);
   ~VideoFile() override;
 
   PictureSize size() const override { return size_; }
@@ -36,8 +46,10 @@ class VideoFile final : public Capture {
   std::int64_t countPackets();
   /// A picture that is damaged, or not complete at the end of the file, has a `defect`.
   Status next(bool wanted, Picture& picture) override;
-  /// Reports a file that ends within a picture or before the end in its header.
-  std::string defectOfEnd() const override;
+  /// The defect is that of a file that ends within a picture or before the end in its header, or
+  /// that is damaged in a way that FFmpeg reads over; the warning is of pictures that it dropped,
+  /// or of a gap in time.
+  StreamEnd end() const override { return {defectOfEnd(), warningOfEnd()}; }
 
  private:
   VideoFile(std::filesystem::path path, const Cancellation& cancellation)
@@ -49,8 +61,13 @@ class VideoFile final : public Capture {
   /// Whether bytes are left behind the last packet, of a format whose pictures have all one size.
   bool hasRest() const;
   bool endsEarly() const;
+  std::string defectOfEnd() const;
+  std::string warningOfEnd() const;
   Status fill(bool wanted, Picture& picture);
   bool saysTimes() const;
+  std::int64_t timeOfFrame();
+  /// Why the picture in frame_ cannot be used; empty: it can.
+  std::string defectOfFrame();
 
   std::filesystem::path path_;
   const Cancellation& cancellation_;
@@ -64,10 +81,15 @@ class VideoFile final : public Capture {
   int quarter_turns_ = 0;
   int pipe_ = -1;
   bool fed_all_ = false;
-  bool cut_ = false;        ///< the last packet was not complete
-  std::string damage_;      ///< error of a packet that the decoder rejected
+  bool cut_ = false;                ///< the last packet was not complete
+  std::string damage_;              ///< error of a packet that the decoder rejected
+  bool complete_ = false;           ///< a picture without others was decoded since the last damage
+  ContainerCheck container_check_;  ///< of a file that was read to its end
+  Ffv1Check ffv1_;
+  TimeGaps gaps_;
   std::int64_t end_ = 0;    ///< of the pictures in the packets so far, units of the stream
   std::int64_t start_ = 0;  ///< time of the first picture, units of the stream
+  std::int64_t time_ = 0;   ///< of the last picture, units of the stream
   std::int64_t pictures_ = 0;
   std::int64_t packets_end_ = 0;  ///< byte behind the last one
   std::int64_t packets_ = 0;      ///< with data, of the stream

@@ -19,6 +19,7 @@ struct VideoParameters : FrameSelection, GivenPinhole {
   std::string path;
   PictureLayout layout = PictureLayout::Mono;
   bool colour = false;
+  int bits = 16;
   OnCorrupt on_corrupt = OnCorrupt::Stop;
   double rate = 0;
   std::int64_t width = 0;
@@ -39,6 +40,10 @@ constexpr auto VideoParameters::declaration() {
                           "picture, left camera first."),
                  parameter("colour", &P::colour)
                      .doc("Provide colour images; otherwise pictures are converted to grey."),
+                 parameter("bits", &P::bits)
+                     .range(8, 16)
+                     .doc("Bits that grey pictures of 16 bits use, from the lowest; the 8 highest "
+                          "of them are taken."),
                  parameter("on_corrupt", &P::on_corrupt)
                      .doc("Damaged pictures: stop the run, or skip: give a frame without images."),
                  parameter("rate", &P::rate)

@@ -42,7 +42,7 @@ OpenCapture makeOpen(const VideoParameters& p, PathKind kind, int pipe, const Co
     };
   }
   return [&p, pipe, &cancellation = context.cancellation] {
-    return asCapture(VideoFile::open(p.path, pipe, p.colour, cancellation));
+    return asCapture(VideoFile::open(p.path, pipe, {p.colour, p.bits}, cancellation));
   };
 }
 
@@ -53,11 +53,12 @@ Status VideoSource::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   log_ = &context.log;
+  used_bits_ = source_parameters::UsedBits(parameters_.bits);
   return ready_ = prepare(context);
 }
 
 Status VideoSource::prepare(const Context& context) {
-  const Result<PathKind> kind = findKind(parameters_.path, pipe_);
+  const Result<PathKind> kind = findKind(parameters_.path, pipe_, context.cancellation);
   if (!kind.isOk()) return kind.status();
   kind_ = kind.value();
   if (Status status = checkCombination(parameters_, kind_); !status.isOk()) return status;
@@ -91,7 +92,7 @@ Status VideoSource::makeRig(PictureSize picture) {
 Status VideoSource::makeSequence() {
   reader_ = std::make_unique<FrameReader>(open_);
   std::vector<Picture> pictures;
-  std::string end;
+  StreamEnd end;
   if (Status status = reader_->readTimes(pictures, end); !status.isOk()) return status;
   const bool used =
       parameters_.last < 0 || parameters_.last >= static_cast<std::int64_t>(pictures.size());
@@ -174,7 +175,7 @@ Status VideoSource::checkBounds(const Context& context) const {
                                     ", before first = " + std::to_string(parameters_.first) +
                                     "; for the reverse order use order: backward");
   }
-  auto opened = VideoFile::open(parameters_.path, -1, false, context.cancellation);
+  auto opened = VideoFile::open(parameters_.path, -1, {}, context.cancellation);
   if (!opened.isOk()) return opened.status();
   return beyondEnd(opened.value()->countPackets());
 }
@@ -192,17 +193,18 @@ Status VideoSource::beyondEnd(std::int64_t pictures) const {
   return Status::ok();
 }
 
-Status VideoSource::judgeEnd(const std::string& defect) {
-  if (defect.empty()) return Status::ok();
-  if (parameters_.on_corrupt == OnCorrupt::Stop) return Status::invalidInput(defect);
-  log_->warning(defect);
+Status VideoSource::judgeEnd(const StreamEnd& end) {
+  if (!end.warning.empty()) log_->warning(end.warning);
+  if (end.defect.empty()) return Status::ok();
+  if (parameters_.on_corrupt == OnCorrupt::Stop) return Status::invalidInput(end.defect);
+  log_->warning(end.defect);
   return Status::ok();
 }
 
 /// EndOfStream after the last picture, or a failure if the stream ended too early.
 Status VideoSource::atEnd() {
   if (next_picture_ == 0) return Status::invalidInput(parameters_.path + ": has no pictures");
-  if (Status status = judgeEnd(capture_->defectOfEnd()); !status.isOk()) return status;
+  if (Status status = judgeEnd(capture_->end()); !status.isOk()) return status;
   if (Status status = beyondEnd(next_picture_); !status.isOk()) return status;
   return Status::endOfStream();
 }
@@ -227,6 +229,11 @@ Status VideoSource::give(Picture& picture, std::int64_t index, Frame& frame) {
     frame.defect = parameters_.path + ": " + picture.defect;
     return Status::ok();
   }
+  used_bits_.add(picture.widths);
+  for (const auto& warning :
+       {used_bits_.beyond(picture.widths.largest()), used_bits_.warning(false, frame.frame)}) {
+    if (warning) log_->warning(parameters_.path + ": " + *warning);
+  }
   frame.left = leftImage(picture.image, parameters_.layout);
   frame.right = rightImage(picture.image, parameters_.layout);
   return Status::ok();
@@ -234,7 +241,7 @@ Status VideoSource::give(Picture& picture, std::int64_t index, Frame& frame) {
 
 void VideoSource::inspectPictures(std::vector<Finding>& findings) {
   std::vector<Picture> pictures;
-  std::string end;
+  StreamEnd end;
   const Status status = FrameReader(open_).readTimes(pictures, end);
   const auto damaged = std::count_if(pictures.begin(), pictures.end(), [](const Picture& picture) {
     return !picture.defect.empty();
@@ -252,7 +259,8 @@ void VideoSource::inspectPictures(std::vector<Finding>& findings) {
     findings.push_back(
         {Finding::Severity::Error, parameters_.path, "says no times of its pictures; set rate"});
   }
-  if (!end.empty()) findings.push_back({Finding::Severity::Error, "", end});
+  if (!end.defect.empty()) findings.push_back({Finding::Severity::Error, "", end.defect});
+  if (!end.warning.empty()) findings.push_back({Finding::Severity::Warning, "", end.warning});
   if (!status.isOk()) findings.push_back({Finding::Severity::Error, "", status.message()});
 }
 

@@ -10,6 +10,7 @@
 #include "file_access.hpp"
 #include "frame_reader.hpp"
 #include "tolman/roles.hpp"
+#include "used_bits.hpp"
 #include "video_parameters.hpp"
 
 namespace tolman::video {
@@ -37,7 +38,7 @@ class VideoSource final : public Source {
   Status nextOfSequence(Frame& frame);
   Status atEnd();
   /// A defect of the end of the file is a failure, or a warning with on_corrupt: skip.
-  Status judgeEnd(const std::string& defect);
+  Status judgeEnd(const StreamEnd& end);
   Status give(Picture& picture, std::int64_t index, Frame& frame);
   Result<std::int64_t> stampNs(const Picture& picture, std::int64_t index) const;
   void inspectPictures(std::vector<Finding>& findings);
@@ -52,6 +53,7 @@ class VideoSource final : public Source {
   FrameSequence sequence_;
   CameraRig rig_;
   std::string description_;
+  source_parameters::UsedBits used_bits_;
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;
   std::int64_t next_picture_ = 0;  ///< in forward order: index of the next picture of capture_

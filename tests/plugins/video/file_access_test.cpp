@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "support/context.hpp"
 #include "support/data.hpp"
 
 namespace tolman::video {
@@ -13,13 +14,15 @@ namespace tolman::video {
 TEST_CASE("kinds of paths, and what to do where there is none") {
   const test::TemporaryFolder folder;
   OpenFile none;
+  test::TestContext test_context;
+  const Context context = test_context;
   const auto path = [&](const char* name) { return folder.path() / name; };
   const auto message = [&](const std::filesystem::path& file) {
-    return findKind(file, none, 0.01).status().message();
+    return findKind(file, none, context.cancellation, 0.01).status().message();
   };
   std::ofstream(path("video.mp4")) << "bytes";
-  CHECK(findKind(path("video.mp4"), none).value() == PathKind::File);
-  CHECK(findKind("/dev/null", none).value() == PathKind::Device);
+  CHECK(findKind(path("video.mp4"), none, context.cancellation).value() == PathKind::File);
+  CHECK(findKind("/dev/null", none, context.cancellation).value() == PathKind::Device);
   std::ofstream(path("empty.mp4")).flush();
   CHECK(message(path("empty.mp4")) ==
         path("empty.mp4").string() + ": is empty; copy or record it again");
@@ -35,11 +38,25 @@ TEST_CASE("kinds of paths, and what to do where there is none") {
 TEST_CASE("a pipe that nothing is written into is told after a while") {
   const test::TemporaryFolder folder;
   OpenFile none;
+  test::TestContext test_context;
+  const Context context = test_context;
   const auto pipe = folder.path() / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  const auto kind = findKind(pipe, none, 0.01);
+  const auto kind = findKind(pipe, none, context.cancellation, 0.01);
   REQUIRE_FALSE(kind.isOk());
   CHECK(kind.status().message().find("nothing was written into this pipe") != std::string::npos);
+}
+
+TEST_CASE("an interruption ends the wait for a pipe") {
+  const test::TemporaryFolder folder;
+  OpenFile none;
+  test::TestContext test_context;
+  test_context.cancelled = true;
+  const Context context = test_context;
+  const auto pipe = folder.path() / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const auto kind = findKind(pipe, none, context.cancellation, 600);
+  CHECK(kind.status().code() == StatusCode::Cancelled);
 }
 
 }  // namespace tolman::video
