@@ -67,6 +67,19 @@ std::string answersRunId(const std::filesystem::path& file) {
   return stream ? id : "";
 }
 
+/// Whether all blocks match their checksums and the last one is the end.
+bool isWhole(const std::filesystem::path& file) {
+  std::ifstream stream = openRegular(file);
+  stream.seekg(static_cast<std::streamoff>(kAnswersMagic.size()));
+  auto block = nextBlock(stream);
+  if (!block || block->tag != kAnswersStart) return false;
+  std::int64_t last = kAnswersStart;
+  for (block = nextBlock(stream); block && block->tag > last; block = nextBlock(stream)) {
+    last = block->tag;
+  }
+  return block && block->tag == kAnswersEnd && stream.peek() == std::ifstream::traits_type::eof();
+}
+
 }  // namespace
 
 Result<AnswersFile> AnswersFile::create(const std::filesystem::path& directory,
@@ -147,8 +160,11 @@ Status AnswersFile::flush() {
 }
 
 Status AnswersFile::finish(const std::vector<MotionRevision>& revisions) {
-  const Status status = block(kAnswersEnd, encoded(encoded(revisions)));
-  return status.isOk() ? flush() : status;
+  Status status = block(kAnswersEnd, encoded(encoded(revisions)));
+  if (status.isOk()) status = flush();
+  if (!status.isOk() || isWhole(file_)) return status;
+  return Status::failed(file_.string() +
+                        ": was removed or changed while the run was going; run it again");
 }
 
 bool hasAnswers(const std::filesystem::path& directory) {

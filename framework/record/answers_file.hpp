@@ -38,7 +38,8 @@ class AnswersFile {
   Status add(const Frame& frame, const Motion& motion, const PlaceObservation& place);
   /// Afterwards all answers so far are in the file, even if the process is killed.
   Status flush();
-  /// Writes the last revisions and the end. Nothing may be added afterwards.
+  /// Writes the last revisions and the end, and reads the file back: another program or a disk can
+  /// have changed it. Nothing may be added afterwards.
   Status finish(const std::vector<MotionRevision>& revisions);
 
  private:

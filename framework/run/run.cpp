@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "record/run_check.hpp"
 #include "run/provenance.hpp"
 #include "run/report_files.hpp"
 #include "run/results.hpp"
@@ -187,6 +188,7 @@ void Run::conclude(Outcome& outcome) {
     outcome.counters.loop_links = counts.loop_links;
     outcome.counters.loop_decisions = counts.loop_decisions;
   }
+  failUnlessWritten(outcome, record::checkConfig(directory_->path(), run_file_));
   failUnlessWritten(outcome, log_.status());
   if (!std::filesystem::exists(directory_->path() / "log.txt")) {
     failUnlessWritten(outcome, Status::failed((directory_->path() / "log.txt").string() +

@@ -201,14 +201,32 @@ TEST_CASE("a run whose directory is moved writes nothing into the one that takes
   CHECK(readText(moved / "trajectory.tum").size() > 100);
 }
 
-TEST_CASE("a log that is removed while the run goes on is told at its end") {
-  const TinyRun run;
-  Process process(joined({tolmanProgram().string()}, run.words), run.folder.path());
-  while (checkpointOf(run.out) < 5) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  fs::remove(run.out / "log.txt");
-  const Finished finished = process.wait();
-  CHECK(finished.exit_code == 8);
-  CHECK(contains(finished.err, "log.txt: was removed while the run was going"));
+TEST_CASE("a file of the run that is removed or cut while the run goes on is told at its end") {
+  struct Case {
+    const char* file;
+    bool removed;
+    const char* message;
+  };
+  for (const Case& given :
+       {Case{"log.txt", true, "log.txt: was removed while the run was going"},
+        Case{"answers.bin", true, "answers.bin: was removed or changed while the run was going"},
+        Case{"answers.bin", false, "answers.bin: was removed or changed while the run was going"},
+        Case{"config.resolved.yaml", true, "config.resolved.yaml: is missing"},
+        Case{"config.resolved.yaml", false, "config.resolved.yaml: has changed"}}) {
+    CAPTURE(given.file, given.removed);
+    TinyRun run;
+    run.words = joined(run.words, {"--set", "record.replay=true"});
+    Process process(joined({tolmanProgram().string()}, run.words), run.folder.path());
+    while (checkpointOf(run.out) < 5) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (given.removed) {
+      fs::remove(run.out / given.file);
+    } else {
+      fs::resize_file(run.out / given.file, 100);
+    }
+    const Finished finished = process.wait();
+    CHECK(finished.exit_code == 8);
+    CHECK(contains(finished.err, given.message));
+  }
 }
 
 TEST_CASE("a run is not resumed with another build of a plugin, or of a library that it brings") {
