@@ -23,6 +23,7 @@
 #include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
 #include "run/assembly.hpp"
+#include "run/input_data.hpp"
 
 namespace tolman::app {
 namespace {
@@ -96,6 +97,7 @@ class RenderRun {
       return printFailure(ExitCode::Record,
                           command_.out + ": the source reads from there; choose another --out");
     }
+    inputs_ = run::inputFiles(run::inputPaths(checked));
     assembly_ = std::make_unique<run::Assembly>(std::move(checked), log_, clock_, interrupts_);
     run::require(checkRig(assembly_->sourceInfo(), command_.needs_calibration),
                  run::FailureKind::Dataset);
@@ -136,12 +138,22 @@ class RenderRun {
     return conclude(outcome);
   }
 
-  static ExitCode conclude(const dataset::RenderOutcome& outcome) {
-    if (!outcome.folder.isOk()) return printFailure(ExitCode::Record, outcome.folder.message());
-    if (!outcome.source.isOk()) return printFailure(ExitCode::Dataset, outcome.source.message());
+  ExitCode conclude(const dataset::RenderOutcome& outcome) const {
+    using run::FailureKind;
+    for (const auto& [status, kind] : {std::pair(outcome.folder, FailureKind::Record),
+                                       std::pair(outcome.source, FailureKind::Dataset)}) {
+      if (!status.isOk())
+        return printFailure(exitCode(run::kindOf(status, kind)), status.message());
+    }
     if (outcome.interrupted) return ExitCode::Interrupted;
-    if (outcome.written > 0) return ExitCode::Ok;
-    return printFailure(ExitCode::Dataset, "the source gave no frame with a sound image");
+    if (outcome.written == 0) {
+      return printFailure(ExitCode::Dataset, "the source gave no frame with a sound image");
+    }
+    const std::filesystem::path changed = record::firstChanged(inputs_);
+    if (changed.empty()) return ExitCode::Ok;
+    return printFailure(ExitCode::Dataset,
+                        changed.string() + ": was changed or removed meanwhile, so the images in " +
+                            command_.out + " may be of two data sets; do it again with --force");
   }
 
   void show(const dataset::RenderOutcome& outcome, double seconds) const {
@@ -182,6 +194,7 @@ class RenderRun {
   run::Interrupts interrupts_;  // before anything that starts threads
   run::RunLog log_;
   run::SteadyClock clock_;
+  std::vector<record::DataFile> inputs_;  ///< as they were at the begin
   std::unique_ptr<run::Assembly> assembly_;
 };
 

@@ -37,6 +37,8 @@ void onExit() {
 
 }  // namespace
 
+void endAtOnce(ExitCode code) { endProcess(static_cast<int>(code)); }
+
 ExitGuard::ExitGuard() {
   static const bool registered = std::atexit(onExit) == 0 && std::at_quick_exit(onExit) == 0;
   if (registered) processOfRun() = ::getpid();

@@ -3,6 +3,8 @@
 // this the program would end with the plugin's exit code, for example 0.
 #pragma once
 
+#include "app/exit_code.hpp"
+
 namespace tolman::app {
 
 /// While one exists, exit(), quick_exit(), _exit() and _Exit() end the process that made it with
@@ -15,5 +17,9 @@ class ExitGuard {
   ExitGuard(const ExitGuard&) = delete;
   ExitGuard& operator=(const ExitGuard&) = delete;
 };
+
+/// Ends the process as the program itself does, whether an ExitGuard exists or not. Callable from
+/// handlers of signals.
+[[noreturn]] void endAtOnce(ExitCode code);
 
 }  // namespace tolman::app

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/exit_guard.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
 #include "isolation/plugin_process.hpp"
@@ -93,7 +94,7 @@ bool hasThreads(bool quiet) {
 /// their work first take the signals over (run::Interrupts). Ignored signals stay ignored (nohup).
 void endOnSignals() {
   for (const int signal : tolman::run::kEndSignals) {
-    const auto end = [](int) { ::_exit(static_cast<int>(tolman::app::ExitCode::Interrupted)); };
+    const auto end = [](int) { tolman::app::endAtOnce(tolman::app::ExitCode::Interrupted); };
     if (std::signal(signal, end) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
 }

@@ -17,6 +17,7 @@
 #include "app/help_texts.hpp"
 #include "app/help_tree.hpp"
 #include "app/memory_reserve.hpp"
+#include "app/out_of_memory_end.hpp"
 #include "app/terminal_output.hpp"
 #include "config/nearest_name.hpp"
 #include "config/paths.hpp"
@@ -157,6 +158,7 @@ ExitCode exitCode(const Status& status) {
 
 int runProgram(int argc, const char* const* argv) {
   const MemoryReserve for_the_end;
+  const OutOfMemoryEnd without_signal;
   CLI::App app{"Tolman: neurobiologically inspired visual SLAM from swappable plugins.", "tolman"};
   app.set_version_flag("--version", versionText());
   app.require_subcommand(1);

@@ -17,6 +17,7 @@
 #include "config/json_text.hpp"
 #include "dataset/rendering.hpp"
 #include "host/guard.hpp"
+#include "host/library.hpp"
 #include "isolation/child_process.hpp"
 #include "isolation/plugin_process.hpp"
 #include "record/atomic_file.hpp"
@@ -148,12 +149,13 @@ Result<Probe> probe(const std::string& plugin, const SourceValues& values,
     throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
   }
   const std::string printed = contentOf(output.number());
-  if (end.exit_code == static_cast<int>(ExitCode::Internal) &&
-      host::isOutOfMemory(Status::failed(lastLine(printed)))) {
+  const std::string said = lastLine(printed);
+  const bool is_out_of_memory = end.exit_code == static_cast<int>(ExitCode::Internal) &&
+                                host::isOutOfMemory(Status::failed(said));
+  if (is_out_of_memory || said.find(host::kLimitsTooLow) != std::string::npos) {
     throw std::bad_alloc();
   }
   // Messages of the source itself begin with "source (ID), configure: "; others are of the host.
-  const std::string said = lastLine(printed);
   const std::string prefix = "source (" + plugin + "), ";
   if (end.signal == 0 && end.exit_code != 0 && said.starts_with(prefix)) {
     return Status::invalidInput(said.substr(prefix.size()));

@@ -33,7 +33,7 @@ std::string remedyFor(const std::string& message, const std::string& file) {
            "it: copy the plugin to another folder, or mount it with exec";
   }
   if (says("annot allocate") || says("Too many open files") || says("failed to map")) {
-    return "the limits of this process are too low for it: see `ulimit -a`";
+    return kLimitsTooLow;
   }
   if (says("undefined symbol")) {
     return "link the plugin with -Wl,-z,defs (tolman_add_plugin() does) to find missing symbols at "

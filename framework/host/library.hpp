@@ -8,6 +8,10 @@
 
 namespace tolman::host {
 
+/// The remedy of a refusal for lack of memory or of open files.
+inline constexpr const char* kLimitsTooLow =
+    "the limits of this process are too low for it: see `ulimit -a`";
+
 /// A plugin whose library is open.
 struct LoadedPlugin {
   Manifest manifest;

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "host/library.hpp"
 #include "isolation/plugin_process.hpp"
 
 namespace tolman::isolation {
@@ -84,10 +85,9 @@ std::optional<host::Refusal> RemotePlugin::load() {
   const std::string kind = manifest_.program.empty() ? "the library" : "the program";
   if (exit_code == kNoThreadsExit) return noProcess(manifest_.id, "its threads cannot be started");
   if (exit_code == kNoMemoryExit) {
-    return host::Refusal{
-        "plugin/load-failed",
-        openedFile(manifest_) + ": out of memory while " + kind + " was opened",
-        "the limits of this process are too low for it: see `ulimit -a`" + hintAt(launch_)};
+    return host::Refusal{"plugin/load-failed",
+                         openedFile(manifest_) + ": out of memory while " + kind + " was opened",
+                         host::kLimitsTooLow + hintAt(launch_)};
   }
   if (!status.isOk()) return diedWhenOpened(status.message());
   if (!refusal.id.empty()) {

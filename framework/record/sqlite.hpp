@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <type_traits>
 
 #include "tolman/status.hpp"
@@ -70,6 +71,11 @@ Status guarded(const std::string& where, Work&& work) {
     return Status::invalidInput(where + ": " + error.what());
   } catch (const SQLite::Exception& error) {
     return explained(where, error);
+  } catch (const std::system_error& error) {
+    // Of std::thread: no memory for its stack, or too many threads.
+    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
+    return Status::failed(where + ": " + error.what() +
+                          (no_thread ? " (pthread_create has failed)" : ""));
   } catch (const std::exception& error) {
     return Status::failed(where + ": " + error.what());
   }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <thread>
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
@@ -139,6 +141,27 @@ TEST_CASE("a video without calibration becomes a folder that images reads", "[da
   imported.check("images", {"--set", "left=image_0", "--set", "stamps=times.txt"});
   const Imported calibrated(video, "video", {"--set", "fx=700"});
   calibrated.check();
+}
+
+TEST_CASE("a recording that changes while it is imported") {
+  const TemporaryFolder folder;
+  const fs::path sequence = folder.path() / "sequence";
+  constexpr int kFrames = 400;
+  writeTinyKitti(sequence, kFrames);
+  const fs::path last = sequence / fmt::format("image_0/{:06}.png", kFrames - 1);
+  const std::string out = (folder.path() / "imported").string();
+  Process import({tolmanProgram().string(), "dataset", "import", sequence.string(), "--source",
+                  "kitti", "--out", out},
+                 folder.path());
+  while (!fs::exists(fs::path(out) / "image_0/000000.png")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  fs::copy_file(sequence / "image_0/000000.png", last, fs::copy_options::overwrite_existing);
+  const Finished finished = import.wait();
+  CHECK(finished.exit_code == 5);
+  CHECK(contains(finished.err, last.string() +
+                                   ": was changed or removed meanwhile, so the images in " + out +
+                                   " may be of two data sets; do it again with --force"));
 }
 
 TEST_CASE("an unknown source is named as the option that chose it") {

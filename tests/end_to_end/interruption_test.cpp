@@ -70,6 +70,20 @@ TEST_CASE("a signal that asks for an end finishes the files and exits with 130")
   CHECK(readJson(run.out / "metrics.json")["odometry"]["poses"] == frames);
 }
 
+TEST_CASE("a second signal ends a run at once, as an interruption and not as a plugin's failure") {
+  const int signal = GENERATE(SIGINT, SIGTERM);
+  const LongRun run;
+  run.waitInside(std::chrono::milliseconds(1000));
+  run.process->signal(signal);
+  run.process->signal(signal);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // if the two were taken as one
+  run.process->signal(signal);
+  const Finished finished = run.process->wait();
+  INFO(finished.err);
+  CHECK(finished.exit_code == 130);
+  CHECK_FALSE(contains(finished.err, "plugin"));
+}
+
 TEST_CASE("commands that only read end with 130 on signals that ask for an end") {
   const int signal =
       GENERATE(SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU);

@@ -70,6 +70,36 @@ TEST_CASE("memory that ends while the source is configured is no fault of the da
   CHECK(told > 0);
 }
 
+TEST_CASE("no limit of memory ends a command by a signal, or is told as anything else") {
+  const TemporaryFolder folder;
+  const fs::path sequence = folder.path() / "sequence";
+  writeTinyKitti(sequence, 3);
+  const std::string out = (folder.path() / "out").string();
+  struct Command {
+    std::vector<std::string> words;
+    int least, most;  ///< MiB, around the point where libraries and the data just fit
+  };
+  int short_ones = 0;
+  for (const Command& command :
+       {Command{{"dataset", "check", sequence.string(), "--source", "kitti"}, 216, 240},
+        Command{
+            {"dataset", "import", sequence.string(), "--source", "kitti", "--out", out}, 216, 256},
+        Command{{"init", sequence.string(), "--out", out}, 120, 240},
+        Command{{"run", "demo", "--set", "source.last=2", "--set", "threads=2", "--out", out},
+                304,
+                352}}) {
+    for (int mib = command.least; mib <= command.most; mib += (command.most - command.least) / 8) {
+      const Finished finished = within(mib, command.words);
+      CAPTURE(command.words[1], mib, finished.err);
+      const bool is_plugin = finished.exit_code == 4 && contains(finished.err, "ulimit");
+      CHECK((is_plugin || finished.exit_code == 70 || finished.exit_code == 0));
+      short_ones += finished.exit_code == 70 ? 1 : 0;
+      fs::remove_all(out);
+    }
+  }
+  CHECK(short_ones > 5);
+}
+
 TEST_CASE("threads that find no room for their stacks are said to lack memory") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 2);

@@ -75,6 +75,26 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
     throw std::runtime_error("Embree does not know this processor");
   }
   if (!device_) throw std::bad_alloc();  // or no memory for its threads
+  try {
+    build(std::move(world));
+  } catch (const std::bad_alloc&) {
+    abandon();
+    throw;
+  }
+}
+
+Scene::~Scene() {
+  if (is_out_of_memory_) abandon();
+}
+
+void Scene::abandon() {
+  for (SceneHandle& scene : prototype_scenes_) (void)scene.release();
+  (void)placed_.release();
+  (void)fixed_.release();
+  (void)device_.release();
+}
+
+void Scene::build(World world) {
   has_packets_of_16_ =
       rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   fixed_.reset(newScene(device_.get()));
@@ -99,10 +119,12 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
   commit();
 }
 
-void Scene::check(const char* what) const {
+void Scene::check(const char* what) {
   const RTCError error = rtcGetDeviceError(device_.get());
   if (error == RTC_ERROR_NONE) return;
-  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  // It is unknown where a thread, or memory of the system's library, could not be had.
+  is_out_of_memory_ = error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN;
+  if (is_out_of_memory_) throw std::bad_alloc();
   throw std::runtime_error(std::string("Embree: ") + what + " failed");
 }
 

@@ -25,6 +25,9 @@ class Scene {
   /// Builds the search structures; stores the surfaces and passes the triangles to Embree. Throws
   /// std::runtime_error if Embree fails, for example for lack of memory.
   explicit Scene(World world);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
 
   /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
   void intersect(const int* valid, RTCRayHit16& rays) const;
@@ -73,7 +76,11 @@ class Scene {
   void markFixed(const Vec3& to_sun);
   void markInstance(std::size_t index);
   void attachInstance(const MeshInstance& instance);
-  void check(const char* what) const;
+  void build(World world);
+  void check(const char* what);
+  /// Leaves the objects of Embree to the end of the process: to release a scene whose build ran out
+  /// of memory ends the process (Embree 3.13.5).
+  void abandon();
 
   Device device_;
   // Two scenes, because a commit builds the whole search structure of its scene anew: a car that
@@ -95,7 +102,8 @@ class Scene {
   std::size_t ground_triangles_ = 0;  ///< the first ones of the fixed mesh
   std::vector<GroundArea> boxes_;     ///< around the prototypes
   std::vector<bool> has_moved_;       ///< instances that are not where they were at first
-  bool has_packets_of_16_ = false;    ///< the processor has instructions for them
+  bool is_out_of_memory_ = false;
+  bool has_packets_of_16_ = false;  ///< the processor has instructions for them
 };
 
 }  // namespace tolman::town
