@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman export: result files from run.sqlite, also of a killed run; tolman schema.
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "app/output_files.hpp"
 #include "app/path_kind.hpp"
@@ -87,6 +89,19 @@ std::string causeOf(const isolation::ProcessEnd& end, const std::string& needs) 
                  : "it needs " + needs;
 }
 
+/// Names of variables for other programs that keep Python from starting, or change what it does.
+/// Those that say where its packages are stay.
+std::vector<std::string> pythonVariables() {
+  std::vector<std::string> names;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text(*entry);
+    const std::string_view name = text.substr(0, text.find('='));
+    const bool is_place = name == "PYTHONUSERBASE" || name == "PYTHONNOUSERSITE";
+    if (name.starts_with("PYTHON") && !is_place) names.emplace_back(name);
+  }
+  return names;
+}
+
 /// Lets the Python package `tolman` write run.nwb or run.npz (`kind`), and adds it to `written`.
 /// Its messages go to stderr, and its exit codes for data and record are those of this program.
 void exportByPython(const std::string& kind, const ExportCommand& asked, const char* needs,
@@ -97,12 +112,10 @@ void exportByPython(const std::string& kind, const ExportCommand& asked, const c
   const std::string folders =
       (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
   const std::filesystem::path file = asked.folder() / ("run." + kind);
-  // Variables for other programs keep Python from starting, or change what it does.
-  const std::vector<std::string> command = {
-      "/usr/bin/env",     "-u",      "PYTHONHOME",     "-u",
-      "PYTHONOPTIMIZE",   "-u",      "PYTHONINSPECT",  "PYTHONPATH=" + folders,
-      "/usr/bin/python3", "-m",      "tolman." + kind, "--force",
-      "--quiet",          asked.run, file.string()};
+  std::vector<std::string> command = {"/usr/bin/env"};
+  for (const std::string& name : pythonVariables()) command.insert(command.end(), {"-u", name});
+  command.insert(command.end(), {"PYTHONPATH=" + folders, "/usr/bin/python3", "-m",
+                                 "tolman." + kind, "--force", "--quiet", asked.run, file.string()});
   isolation::ChildProcess python(command, {});
   const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
   if (end.signal == 0 && end.exit_code == 0) {

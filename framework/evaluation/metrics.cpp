@@ -12,6 +12,7 @@
 #include "evaluation/held_truth.hpp"
 #include "evaluation/mirror_hint.hpp"
 #include "evaluation/open_turn.hpp"
+#include "evaluation/pose_reading.hpp"
 #include "evaluation/rounded_truth.hpp"
 #include "evaluation/session_frames.hpp"
 #include "evaluation/turned_axes.hpp"
@@ -173,6 +174,7 @@ std::string hintBefore(const Matches& matches, Alignment alignment) {
   std::string text = axesHint(matches);
   if (text.empty()) text = turnHint(matches);
   if (text.empty()) text = fixedOrientationHint(matches);
+  if (text.empty()) text = poseReadingHint(matches);
   if (!text.empty() || alignment != Alignment::Se2) return text;
   text = upHint(matches.truth);
   if (!text.empty()) text += ", or use se3; se2 leaves y out";

@@ -20,7 +20,10 @@ Status checkConfig(const fs::path& run_directory, const nlohmann::ordered_json& 
     return Status::invalidInput(file.string() + ": is missing; put it back, or run it again");
   }
   const Result<std::string> found = fileDigest(file);
-  if (found.isOk() && *digest == found.value()) return Status::ok();
+  if (!found.isOk()) {
+    return Status::invalidInput(found.status().message() + "; check its permissions");
+  }
+  if (*digest == found.value()) return Status::ok();
   return Status::invalidInput(
       file.string() + ": has changed since the run was recorded; put it back, or run it again");
 }

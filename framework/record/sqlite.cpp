@@ -85,7 +85,8 @@ Database openDatabase(const std::filesystem::path& file, Access access) {
                     mode | SQLite::OPEN_FULLMUTEX | (has_log ? 0 : SQLite::OPEN_URI),
                     kBusyTimeoutMs);
   database.exec(
-      "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA foreign_keys = ON");
+      "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA foreign_keys = ON; "
+      "PRAGMA temp_store = MEMORY");  // else a full folder for temporary files ends a run
   return database;
 }
 

@@ -7,6 +7,7 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -71,6 +72,8 @@ Status guarded(const std::string& where, Work&& work) {
     return Status::invalidInput(where + ": " + error.what());
   } catch (const SQLite::Exception& error) {
     return explained(where, error);
+  } catch (const std::bad_alloc&) {
+    return Status::failed(where + ": out of memory");
   } catch (const std::system_error& error) {
     // Of std::thread: no memory for its stack, or too many threads.
     const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "host/guard.hpp"
 #include "record/run_check.hpp"
 #include "run/provenance.hpp"
 #include "run/report_files.hpp"
@@ -20,7 +21,9 @@ record::RunState stateOf(const Outcome& outcome) {
   return outcome.interrupted ? record::RunState::Interrupted : record::RunState::Finished;
 }
 
-Failure recordFailure(const Status& status) { return {FailureKind::Record, status.message()}; }
+Failure recordFailure(const Status& status) {
+  return {kindOf(status, FailureKind::Record), status.message()};
+}
 
 }  // namespace
 
@@ -196,7 +199,8 @@ void Run::conclude(Outcome& outcome) {
   }
   writeRunFile(outcome);
   if (!results.isOk() || !config().record.report) return;
-  const Status reported = writeReport(*results.value().reader, std::move(results.value().data));
+  const Status reported = host::contained(
+      [&] { return writeReport(*results.value().reader, std::move(results.value().data)); });
   if (reported.isOk()) return;
   failUnlessWritten(outcome, reported);
   if (writeRunFile(outcome)) return;

@@ -100,6 +100,28 @@ TEST_CASE("no limit of memory ends a command by a signal, or is told as anything
   CHECK(short_ones > 5);
 }
 
+TEST_CASE("a run without memory for its report or its record does not say that it is finished") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 20);
+  const fs::path config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const fs::path out = folder.path() / "run";
+  auto words = tinyRun(config, out);
+  for (const char* word : {"--set", "threads=1"}) words.emplace_back(word);
+  int unfinished = 0;
+  for (int mib = 120; mib <= 280; mib += 8) {
+    const Finished finished = within(mib, words);
+    CAPTURE(mib, finished.exit_code, finished.err);
+    CHECK(finished.exit_code < 128);
+    if (fs::exists(out / "run.json")) {
+      const auto run_file = readJson(out / "run.json");
+      CHECK((run_file["status"] == "finished") == (finished.exit_code == 0));
+      unfinished += run_file["status"] == "finished" ? 0 : 1;
+    }
+    fs::remove_all(out);
+  }
+  CHECK(unfinished > 0);
+}
+
 TEST_CASE("threads that find no room for their stacks are said to lack memory") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 2);

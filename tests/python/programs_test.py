@@ -83,7 +83,7 @@ class ProgramsTest(Systems):
                                 ("hd.activity",)).fetchall()
 
     def test_variables_for_other_programs_change_nothing(self):
-        for name, value in {"PYTHONHOME": "/nowhere", "PYTHONOPTIMIZE": "2", "PYTHONINSPECT": "1"}.items():
+        for name, value in {"PYTHONHOME": "/nowhere", "PYTHONOPTIMIZE": "2", "PYTHONINSPECT": "1", "PYTHONHASHSEED": "abc"}.items():
             with unittest.mock.patch.dict(os.environ, {name: value}):
                 ran = self.run_system(cells=STAGE % "", out=name)
                 self.assertEqual(ran.returncode, 0, ran.stderr)

@@ -31,6 +31,21 @@ TEST_CASE("values of each type come back as they went in") {
   CHECK_FALSE(rows.step());
 }
 
+TEST_CASE("nothing is written into the folder for temporary files, which can be full") {
+  Database database = openDatabase(":memory:", Access::Create);
+  Statement place(database, "PRAGMA temp_store");
+  REQUIRE(place.step());
+  CHECK(place.next().getInt64() == 2);  // memory
+}
+
+TEST_CASE("a lack of memory is told as such, not as a fault of the file") {
+  const Status status = guarded("run.sqlite", [] { throw std::bad_alloc(); });
+  CHECK(status.message() == "run.sqlite: out of memory");
+  const auto no_thread = std::make_error_code(std::errc::resource_unavailable_try_again);
+  CHECK(guarded("run.sqlite", [&] { throw std::system_error(no_thread); }).message() ==
+        "run.sqlite: Resource temporarily unavailable (pthread_create has failed)");
+}
+
 TEST_CASE("empty text and an empty matrix are not NULL") {
   Database database = openDatabase(":memory:", Access::Create);
   database.exec("CREATE TABLE t (s TEXT NOT NULL, b BLOB NOT NULL)");

@@ -11,6 +11,7 @@
 #include "exact_decimal.hpp"
 #include "image_name.hpp"
 #include "name_order.hpp"
+#include "name_series.hpp"
 #include "open_files.hpp"
 
 namespace tolman::image_folders {
@@ -192,6 +193,13 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
     if (!std::ranges::binary_search(order.strays, index)) without_strays.push_back(found[index]);
   }
   checkNumbers(folder, without_strays, inspection);
+  if (const auto two = twoOfOneNumber(images)) {
+    inspection.warning(folder, "has both " + two->first.filename().string() + " and " +
+                                   two->second.filename().string() +
+                                   ", and so for most numbers: they are taken as frames of one "
+                                   "camera; if they are of two, put the images of each into a "
+                                   "folder of its own");
+  }
   return images;
 }
 

@@ -23,7 +23,7 @@ inline constexpr std::uint32_t kNoInstance = RTC_INVALID_GEOMETRY_ID;
 class Scene {
  public:
   /// Builds the search structures; stores the surfaces and passes the triangles to Embree. Throws
-  /// std::runtime_error if Embree fails, for example for lack of memory.
+  /// std::runtime_error if Embree fails, std::bad_alloc for lack of memory.
   explicit Scene(World world);
   ~Scene();
   Scene(const Scene&) = delete;

@@ -246,20 +246,24 @@ Status VideoFile::feed() {
   if (packet_->stream_index != stream_->index) return Status::ok();
   if (packet_->size > 0) ++packets_;
   packets_end_ = packet_->pos + packet_->size;
-  const bool is_jpeg = stream_->codecpar->codec_id == AV_CODEC_ID_MJPEG;
-  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 || (is_jpeg && !hasJpegEnd(*packet_));
-  if (cut_) damage_ = "its data are not complete";
-  if (is_jpeg && !cut_ && !isSoundJpeg(*packet_)) damage_ = "its data cannot be decoded";
-  const bool is_ffv1 = stream_->codecpar->codec_id == AV_CODEC_ID_FFV1;
-  if (is_ffv1 && packet_->size > 0 && ffv1_.isDamaged(bytesOf(*packet_))) {
-    damage_ = "a check sum of its data, or of those before, does not match";
-  }
+  if (std::string damage = damageOfPacket(); !damage.empty()) damage_ = std::move(damage);
   // Of pictures that are coded in another order AVI has no times, but those of the packets.
   const std::int64_t time = packet_->pts != AV_NOPTS_VALUE ? packet_->pts : packet_->dts;
   if (time != AV_NOPTS_VALUE) end_ = std::max(end_, time + packet_->duration);
   const int sent = avcodec_send_packet(decoder_, packet_);
   if (sent < 0 && sent != AVERROR(EAGAIN)) damage_ = libavError(sent);
   return Status::ok();
+}
+
+std::string VideoFile::damageOfPacket() {
+  const AVCodecID codec = stream_->codecpar->codec_id;
+  const bool is_jpeg = codec == AV_CODEC_ID_MJPEG;
+  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 || (is_jpeg && !hasJpegEnd(*packet_));
+  if (cut_) return "its data are not complete";
+  if (is_jpeg && !isSoundJpeg(*packet_)) return "its data cannot be decoded";
+  const bool has_slices = codec == AV_CODEC_ID_FFV1 && packet_->size > 0;
+  if (!has_slices || !ffv1_.isDamaged(bytesOf(*packet_))) return {};
+  return "a check sum of its data, or of those before, does not match";
 }
 
 bool VideoFile::hasRest() const {
@@ -279,12 +283,12 @@ bool VideoFile::endsEarly() const {
 
 std::string VideoFile::defectOfEnd() const {
   const bool in_picture = cut_ || !damage_.empty();
-  if (!in_picture && !endsEarly() && !container_check_.defect.empty()) {
+  if (!in_picture && !endsEarly()) {
+    if (container_check_.defect.empty()) return {};
     return path_.string() + ": " + container_check_.defect +
            ", and pictures can be missing; copy or record it again, or use what can be read by "
            "on_corrupt: skip";
   }
-  if (!in_picture && !endsEarly()) return {};
   if (!in_picture &&
       isAvi(*container_)) {  // it has no times, so a gap in the middle moves the rest
     return path_.string() + ": has " + std::to_string(pictures_) + " pictures, and its header " +

@@ -58,6 +58,8 @@ class VideoFile final : public Capture {
   Status openDecoder();
   /// Sends one packet of the stream, or the end, to the decoder.
   Status feed();
+  /// What is wrong with the data of packet_, as far as it shows before they are decoded.
+  std::string damageOfPacket();
   /// Whether bytes are left behind the last packet, of a format whose pictures have all one size.
   bool hasRest() const;
   bool endsEarly() const;
