@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 #include <new>
-#include <string_view>
 
 #include "app/exit_guard.hpp"
 
@@ -25,9 +24,9 @@ bool isForLackOfMemory() {
 
 [[noreturn]] void end() {
   if (!isForLackOfMemory()) std::abort();
-  constexpr std::string_view kText =
-      "tolman: out of memory; give it more (`ulimit -v`), or less to do\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, kText.data(), kText.size());
+  for (const std::string_view text : {kOutOfMemory, std::string_view("\n")}) {
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  }
   endAtOnce(ExitCode::Internal);
 }
 

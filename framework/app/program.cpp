@@ -123,8 +123,7 @@ int parse(CLI::App& app, std::vector<std::string> words) {
   } catch (const Ended& ended) {
     return static_cast<int>(printFailure(ended.code, ended.message));
   } catch (const std::bad_alloc&) {
-    const char* text = "tolman: out of memory; give it more (`ulimit -v`), or less to do";
-    return static_cast<int>(printFailure(ExitCode::Internal, text));
+    return static_cast<int>(printFailure(ExitCode::Internal, std::string(kOutOfMemory)));
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::filename_too_long) {
       const char* text = "a path of the command line is too long for the file system";

@@ -2,9 +2,10 @@
 #include "name_series.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <string>
+
+#include "exact_decimal.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -16,7 +17,6 @@ using Series = std::map<std::string, fs::path>;
 /// The images by their names without the last run of digits, which is the number of the frame.
 std::map<std::string, Series> seriesOf(const std::vector<fs::path>& images, std::size_t most) {
   std::map<std::string, Series> all;
-  const auto isDigit = [](unsigned char c) { return std::isdigit(c) != 0; };
   for (const fs::path& image : images) {
     const std::string name = image.stem().string();
     const auto last = std::find_if(name.rbegin(), name.rend(), isDigit).base();

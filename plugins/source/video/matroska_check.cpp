@@ -9,6 +9,10 @@
 
 #include "matroska_elements.hpp"
 
+extern "C" {
+#include <libavutil/bswap.h>
+}
+
 namespace tolman::video {
 namespace {
 
@@ -117,10 +121,10 @@ class Matroska {
   }
 
   std::string checkSum(const Element& element, const Element& parent) {
-    const std::uint64_t stored = numberOf(file_, element);  // big-endian, but is little-endian
+    const std::uint64_t stored = numberOf(file_, element);  // read as big-endian, but it is not
     const auto sum = file_.checkSum(element.end, parent.end);
     const bool is_whole = element.end - element.content == sizeof(std::uint32_t) && sum;
-    if (is_whole && stored == __builtin_bswap32(*sum)) return {};
+    if (is_whole && stored == av_bswap32(*sum)) return {};
     return "is damaged: the check sum" + atByte(element) + " does not match";
   }
 

@@ -348,8 +348,8 @@ Status VideoFile::fill(bool wanted, Picture& picture) {
   picture.timed = saysTimes() && time != AV_NOPTS_VALUE && start_ != AV_NOPTS_VALUE;
   if (picture.timed) {
     picture.stamp_ns = av_rescale_q(time - start_, stream_->time_base, {1, 1'000'000'000});
+    gaps_.add(picture.stamp_ns);
   }
-  if (picture.timed) gaps_.add(picture.stamp_ns);
   picture.defect = defectOfFrame();
   if (!picture.defect.empty()) return Status::ok();
   if (sound_ == pictures_ - 1) sound_ = pictures_;
