@@ -102,9 +102,14 @@ Result<std::string> Instance::url() {
 }
 
 Status saveTo(std::ostream& stream, const StateKeeper& state) {
-  Status status = state.save(stream);
-  if (!status.isOk() || stream.good()) return status;
-  return Status::failed("left its stream in a failed state; what it wrote is not complete");
+  const char* failed = "left its stream in a failed state; what it wrote is not complete";
+  stream.exceptions(std::ios::badbit);  // or it would hide a lack of memory
+  try {
+    Status status = state.save(stream);
+    return !status.isOk() || stream.good() ? status : Status::failed(failed);
+  } catch (const std::ios::failure&) {
+    return Status::failed(failed);
+  }
 }
 
 Result<std::string> Instance::save() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -270,6 +271,8 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
     data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
     return data;
+  } catch (const std::bad_alloc&) {
+    return Status::failed(reader.directory().string() + ": out of memory");
   } catch (const std::exception& error) {
     return Status::invalidInput(error.what());
   }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "record/run_reader.hpp"
@@ -22,7 +23,8 @@ Result<std::vector<std::filesystem::path>> writeReport(
     const std::filesystem::path& folder, const report::UnitChoice& units = {});
 
 /// The same for one run whose record has been read already: writes into the directory of the run,
-/// and no PNG files.
-Status writeReport(const record::RunReader& reader, report::RunData data);
+/// and no PNG files. `run_file`: the run.json that will be written after the report.
+Status writeReport(const record::RunReader& reader, report::RunData data,
+                   const nlohmann::ordered_json& run_file);
 
 }  // namespace tolman::run

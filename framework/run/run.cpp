@@ -197,21 +197,29 @@ void Run::conclude(Outcome& outcome) {
     failUnlessWritten(outcome, Status::failed((directory_->path() / "log.txt").string() +
                                               ": was removed while the run was going"));
   }
-  writeRunFile(outcome);
-  if (!results.isOk() || !config().record.report) return;
-  const Status reported = host::contained(
-      [&] { return writeReport(*results.value().reader, std::move(results.value().data)); });
-  if (reported.isOk()) return;
-  failUnlessWritten(outcome, reported);
+  if (results.isOk() && config().record.report) {
+    completeRunFile(outcome);
+    failUnlessWritten(outcome, host::contained([&] {
+                        return writeReport(*results.value().reader, std::move(results.value().data),
+                                           run_file_);
+                      }));
+  }
   if (writeRunFile(outcome)) return;
-  // run.json has the status "finished", which cannot be replaced, for example on a full disk.
-  std::error_code ignored;
-  std::filesystem::remove(directory_->path() / "run.json", ignored);
+  std::error_code ignored;  // the report tells of an end that run.json does not have
+  std::filesystem::remove(directory_->path() / "report.html", ignored);
 }
 
-bool Run::writeRunFile(Outcome& outcome) {
+void Run::completeRunFile(const Outcome& outcome) {
+  run_file_.erase("status");  // stays the last key
   addOutcome(run_file_, outcome);
   if (options_.exit_code) run_file_["exit_code"] = options_.exit_code(outcome);
+  run_file_["status"] = enumName(stateOf(outcome));
+}
+
+/// The last file of a run: until it is written, and whatever ends the process before, run.json says
+/// that the run is running.
+bool Run::writeRunFile(Outcome& outcome) {
+  completeRunFile(outcome);
   const Status written = directory_->writeRunFile(run_file_, stateOf(outcome));
   failUnlessWritten(outcome, written);
   return written.isOk();

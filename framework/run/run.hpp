@@ -89,6 +89,7 @@ class Run {
   void failIfInputsChanged(Outcome& outcome);
   void failIfNothingCame(Outcome& outcome);
   void conclude(Outcome& outcome);
+  void completeRunFile(const Outcome& outcome);
   bool writeRunFile(Outcome& outcome);
   void failUnlessWritten(Outcome& outcome, const Status& written);
 

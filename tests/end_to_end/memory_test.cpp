@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <set>
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
@@ -108,14 +109,16 @@ TEST_CASE("a run without memory for its report or its record does not say that i
   auto words = tinyRun(config, out);
   for (const char* word : {"--set", "threads=1"}) words.emplace_back(word);
   int unfinished = 0;
-  for (int mib = 120; mib <= 280; mib += 8) {
+  for (int mib = 120; mib <= 290; mib += mib < 260 ? 20 : 1) {
     const Finished finished = within(mib, words);
     CAPTURE(mib, finished.exit_code, finished.err);
-    CHECK(finished.exit_code < 128);
+    CHECK(std::set{0, 4, 70}.contains(finished.exit_code));
     if (fs::exists(out / "run.json")) {
-      const auto run_file = readJson(out / "run.json");
-      CHECK((run_file["status"] == "finished") == (finished.exit_code == 0));
-      unfinished += run_file["status"] == "finished" ? 0 : 1;
+      const bool is_finished = readJson(out / "run.json")["status"] == "finished";
+      if (finished.exit_code == 0) CHECK(is_finished);
+      // Only the summary on the terminal, after the run, may lack memory.
+      if (is_finished) CHECK(fs::exists(out / "report.html"));
+      unfinished += is_finished ? 0 : 1;
     }
     fs::remove_all(out);
   }
