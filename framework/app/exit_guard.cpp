@@ -52,12 +52,12 @@ ExitGuard::~ExitGuard() { processOfRun() = 0; }
 // linker exports functions of a program that one of its libraries also defines.
 extern "C" {
 
-[[noreturn]] void _exit(int code) {  // NOLINT: the name is that of POSIX
+__attribute__((noreturn)) void _exit(int code) {  // NOLINT: the name is that of POSIX
   tolman::app::onExit();
   tolman::app::endProcess(code);
 }
 
-[[noreturn]] void _Exit(int code) noexcept {  // NOLINT: the name is that of C
+__attribute__((noreturn)) void _Exit(int code) noexcept {  // NOLINT: the name is that of C
   tolman::app::onExit();
   tolman::app::endProcess(code);
 }

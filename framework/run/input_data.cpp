@@ -95,6 +95,8 @@ std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths) 
 std::set<std::string> missingPaths(const config::SystemConfig& config,
                                    const config::StageValues& values, const StageSchemas& schemas) {
   std::set<std::string> missing;
+  const std::string& earlier = config.general.continue_from;
+  if (!earlier.empty() && !exists(earlier)) missing.insert(earlier);
   for (const config::StageConfig& stage : config.stages) {
     if (stage.role != Role::Source) continue;
     visitTexts(stage, values, schemas, [&](const ParameterInfo& info, const std::string& text) {

@@ -33,7 +33,8 @@ std::vector<std::string> statePaths(const CheckedSystem& system);
 /// All files of these paths, as they are now. Folders that cannot be read are left out.
 std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths);
 
-/// Paths of the source that do not exist (yet). A run that reads one of them will fail.
+/// Paths of the source that do not exist (yet), and that of the run to continue. A run that reads
+/// one of them will fail.
 std::set<std::string> missingPaths(const config::SystemConfig& config,
                                    const config::StageValues& values, const StageSchemas& schemas);
 

@@ -16,6 +16,7 @@
 #include "record/digest.hpp"
 #include "run/build_info.hpp"
 #include "run/input_data.hpp"
+#include "run/loaded_libraries.hpp"
 #include "run/run.hpp"
 #include "tolman/version.hpp"
 
@@ -168,6 +169,7 @@ Json provenance(const Assembly& assembly, const std::vector<std::string>& comman
                                              EIGEN_MINOR_VERSION)},
                        {"sqlite", ::sqlite3_libversion()},
                        {"fmt", FMT_VERSION}};
+  for (const auto& [name, file] : loadedLibraries()) json["libraries"][name] = file;
   json["machine"] = machine();
   json["source"] = sourceJson(assembly);
   json["plugins"] = pluginList(system);

@@ -315,6 +315,17 @@ TEST_CASE("missing data are reported before anything runs") {
                                   " does not exist: the runs that read it will fail"));
 }
 
+TEST_CASE("a run to continue that does not exist is reported before anything runs") {
+  const Study study;
+  const std::string earlier = (study.folder.path() / "earlier").string();
+  std::ofstream(study.file()) << "base: motion.yaml\ngrid: {continue: [" << earlier << "]}\n";
+  const Finished planned = study.sweep({"--dry-run"});
+  INFO(planned.err);
+  CHECK(planned.exit_code == 0);
+  CHECK(contains(planned.out,
+                 "warning   " + earlier + " does not exist: the runs that read it will fail"));
+}
+
 TEST_CASE("ten thousand points are planned") {
   const Study study;
   std::ofstream(study.file())

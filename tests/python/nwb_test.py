@@ -175,6 +175,13 @@ class FileTest(Systems):
         for name in ("units/spike_times", "processing/behavior/Position/position/data", "identifier"):
             self.assertTrue(np.array_equal(file[name][()], again[name][()]), name)
 
+    def test_rates_need_a_positive_peak(self):
+        self.exported()
+        for peak_hz in (0, -20, float("nan"), float("inf")):
+            with self.assertRaisesRegex(ValueError, "peak_hz is"):
+                nwb.export(tolman.Run(self.folder / "run"), self.folder / "none.nwb", peak_hz)
+        self.assertFalse((self.folder / "none.nwb").exists())
+
     def test_a_file_that_is_too_large_is_told_as_such(self):
         import subprocess
 

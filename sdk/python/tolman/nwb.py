@@ -228,8 +228,10 @@ def _contents(run, peak_hz):
 def export(run, out=None, peak_hz=PEAK_HZ):
     """Writes a Run to an NWB file, by default run.nwb in its directory; gives the path. An existing file is replaced.
 
-    Of a run that goes on: its state of one moment.
+    Of a run that goes on: its state of one moment. ValueError if `peak_hz` is no positive number.
     """
+    if not (peak_hz > 0 and np.isfinite(peak_hz)):
+        raise ValueError(f"peak_hz is {peak_hz}; give a positive number of Hz")
     out = pathlib.Path(out) if out else run.path / "run.nwb"
     with run.one_state():
         contents = _contents(run, peak_hz)
