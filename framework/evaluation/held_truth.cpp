@@ -9,34 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include "evaluation/errors.hpp"
+#include "evaluation/truth_steps.hpp"
 
 namespace tolman::evaluation {
 namespace {
-
-double distanceBetween(const Trajectory& path, std::size_t from, std::size_t to) {
-  return (path[to].T_world_camera.translation() - path[from].T_world_camera.translation()).norm();
-}
 
 /// Whether frame `i` has exactly the true pose of the frame before. A gap of tracking or of the
 /// truth ends a stretch: how the robot drove there is not known.
 bool isRepeated(const Matches& pairs, std::size_t i) {
   return pairs.truth[i].T_world_camera.matrix() == pairs.truth[i - 1].T_world_camera.matrix() &&
          pairs.estimate[i].tracked && pairs.estimate[i - 1].tracked && pairs.inOnePiece(i - 1, i);
-}
-
-/// Median distance between consecutive poses that differ, m; 0 without any.
-double usualStep(const Trajectory& path) {
-  std::vector<double> steps = stepLengths(path);
-  std::erase(steps, 0);
-  return statistics(steps).median;
-}
-
-/// The shortest way that an estimate must differ by, m.
-double leastWay(const Trajectory& truth) {
-  constexpr double kMoved = 0.5;        // m; chosen, not tuned
-  constexpr double kShareMoved = 0.01;  // of the true path, for small rooms; chosen, not tuned
-  return std::min(kMoved, kShareMoved * pathLength(truth));
 }
 
 /// Whether the true step to pair `i` is single and long, and the estimate makes none like it.

@@ -15,6 +15,7 @@
 #include "evaluation/pose_reading.hpp"
 #include "evaluation/rounded_truth.hpp"
 #include "evaluation/session_frames.hpp"
+#include "evaluation/truth_breaks.hpp"
 #include "evaluation/turned_axes.hpp"
 #include "tolman/fields.hpp"
 
@@ -184,8 +185,12 @@ std::string hintBefore(const Matches& matches, Alignment alignment) {
 /// What is wrong with lengths and positions, which an alignment compares.
 std::string hintAfter(const Matches& pairs, Alignment alignment) {
   std::string text = heldHint(pairs);
+  if (text.empty()) text = constantCoordinateHint(pairs);
+  if (text.empty()) text = standingHint(pairs);
   if (text.empty()) text = jumpHint(pairs);
+  if (text.empty()) text = turnJumpHint(pairs);
   if (text.empty()) text = sessionFramesHint(pairs, alignment);
+  if (text.empty()) text = lengthChangeHint(pairs);
   if (text.empty() && alignment != Alignment::Sim3) text = unitHint(pairs);
   if (text.empty() && alignment != Alignment::Sim3) text = scaleHint(pairs);
   if (text.empty()) text = speedHint(pairs);

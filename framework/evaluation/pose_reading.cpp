@@ -27,6 +27,10 @@ Eigen::Vector3d inverted(const Pose& from, const Pose& to) {
   return asRead(from.inverse(), to.inverse());
 }
 
+Eigen::Vector3d transposed(const Pose& from, const Pose& to) {
+  return from.linear() * (to.translation() - from.translation());
+}
+
 Eigen::Vector3d chained(const Pose&, const Pose& to) { return to.translation(); }
 
 struct Course {
@@ -89,6 +93,14 @@ std::string poseReadingHint(const Matches& matches) {
                "both trajectories move in all directions of their camera, but in one if "
                "every pose is inverted: are both world to camera") +
            kRemedy;
+  }
+  const bool are_transposed = both([&](const Trajectory& poses) {
+    return courseOf(matches, poses, transposed).concentration > kOneDirection;
+  });
+  if (are_transposed) {
+    return "both trajectories move in all directions of their camera, but in one if every rotation "
+           "is transposed: are their positions of the camera, and their rotations from world to "
+           "camera? Drift and rotation errors are wrong if so";
   }
   const bool are_motions = both([&](const Trajectory& poses) {
     return turnLittle(poses) && courseOf(matches, poses, chained).concentration > kOneDirection;

@@ -43,6 +43,14 @@ Trajectory motions(const Trajectory& path) {
   return result;
 }
 
+/// Positions of the camera, but rotations from world to camera.
+Trajectory withTransposedRotations(Trajectory path) {
+  for (TrajectoryPose& pose : path) {
+    pose.T_world_camera.linear() = pose.T_world_camera.linear().transpose().eval();
+  }
+  return path;
+}
+
 std::string hint(const Trajectory& truth, const Trajectory& estimate) {
   return poseReadingHint(test::paired(truth, estimate));
 }
@@ -56,6 +64,8 @@ TEST_CASE("two files of poses that are world to camera, or motions from frame to
   CHECK_THAT(hint(inverse(truth), inverse(estimate)), Catch::Contains("are both world to camera?"));
   CHECK_THAT(hint(motions(truth), motions(estimate)),
              Catch::Contains("motions from frame to frame: are they?"));
+  CHECK_THAT(hint(withTransposedRotations(truth), withTransposedRotations(estimate)),
+             Catch::Contains("if every rotation is transposed"));
   for (const Alignment alignment : {Alignment::Se3, Alignment::Sim3, Alignment::None}) {
     CHECK_THAT(scoreTrajectory(inverse(truth), inverse(estimate), alignment).warning,
                Catch::StartsWith("both trajectories move in all directions"));
@@ -66,6 +76,7 @@ TEST_CASE("a camera that is carried has no direction of its own, a straight road
   const Trajectory carried = drive(0, 1);
   CHECK(hint(carried, drive(0.02, 1)).empty());
   CHECK(hint(inverse(carried), inverse(drive(0.02, 1))).empty());
+  CHECK(hint(withTransposedRotations(carried), withTransposedRotations(carried)).empty());
   Trajectory straight = drive(0);
   for (std::size_t i = 0; i < straight.size(); ++i) {
     straight[i].T_world_camera = Eigen::Translation3d(0, 0, static_cast<double>(i));

@@ -36,9 +36,12 @@ Camera readTable(const fs::path& table, const fs::path& images, Inspection& insp
     const auto fields = splitFields(line.text);
     const auto ns = fields.size() == 2 ? parseSeconds(fields[0], digitsOf(TimeUnit::Nanoseconds))
                                        : std::nullopt;
-    const bool plain = ns && fields[1].find('/') == std::string_view::npos;
+    const bool plain = ns && fields[0].find_first_of(".eE") == std::string_view::npos &&
+                       fields[1].find('/') == std::string_view::npos;
     if (!plain) {
-      inspection.error(table, line.number, "is not of the form 'nanoseconds,image'; correct it");
+      inspection.error(
+          table, line.number,
+          "is not of the form 'nanoseconds,image', with whole nanoseconds; correct it");
     } else if (!camera.stamps_ns.empty() && *ns <= camera.stamps_ns.back()) {
       inspection.error(table, line.number, "is no later than the line before; sort the file");
     } else {

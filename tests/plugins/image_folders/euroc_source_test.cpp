@@ -129,6 +129,10 @@ TEST_CASE("what is missing in EuRoC's layout is named") {
         "DATA/mav0/cam1/data.csv:2: is no later than the line before; sort the file");
   data.write("mav0/cam1/data.csv", "14037152732621429.5e9,../../a.png\n");
   CHECK_THAT(EurocOpened(data).message, Catch::Contains("is not of the form 'nanoseconds,image'"));
+  for (const char* time : {"1403715273.262142976", "1.403715273e18"}) {
+    data.write("mav0/cam1/data.csv", std::string(time) + ",a.png\n" + time + ",b.png\n");
+    CHECK_THAT(EurocOpened(data).message, Catch::Contains("with whole nanoseconds"));
+  }
   data.write("mav0/cam1/data.csv", "5,a.png\n");
   CHECK_THAT(EurocOpened(data).message, Catch::Contains("has no two images of one time"));
 }
