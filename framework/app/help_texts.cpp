@@ -9,7 +9,7 @@ namespace tolman::app {
 namespace {
 
 constexpr std::array kExamples = {
-    Example{"tolman run demo", "a block of the built-in town"},
+    Example{"tolman run demo --out runs/demo", "a block of the built-in town"},
     Example{"tolman run configs/kitti.yaml --set source.path=~/kitti/sequences/06", ""},
     Example{"tolman run configs/demo.yaml --view", "watch it in the browser"},
     Example{"tolman run configs/kitti.yaml --set odometry.plugin=my_odometry --plugin-path "

@@ -23,8 +23,8 @@ std::string errorText(const char* name, const std::optional<evaluation::ErrorFig
 
 std::string scoreText(std::string_view name, const std::optional<evaluation::UnitScore>& score) {
   if (!score) return "";
-  return fmt::format("{} {:.2f}, {:.0f} % of the units above chance", name, score->median,
-                     100 * score->share_better);
+  return fmt::format("{} {:.2f} (chance {:.2f}, {:.0f} % of the units above it)", name,
+                     score->median, score->chance, 100 * score->share_better);
 }
 
 }  // namespace
@@ -87,9 +87,9 @@ std::string healthText(const run::Outcome& outcome) {
   text += fmt::format("{:<10}{} processed, {} dropped, {} skipped, {} without image\n", "frames",
                       n.frames, n.dropped, n.skipped, n.defects);
   text += fmt::format(
-      "{:<10}{} templates, {} experience{}, {} links, of them {} loop link{} ({})\n", "memory",
-      n.templates, n.experiences, n.experiences == 1 ? "" : "s", n.links, n.loop_links,
-      n.loop_links == 1 ? "" : "s",
+      "{:<10}{} template{}, {} experience{}, {} link{}, of them {} loop link{} ({})\n", "memory",
+      n.templates, n.templates == 1 ? "" : "s", n.experiences, n.experiences == 1 ? "" : "s",
+      n.links, n.links == 1 ? "" : "s", n.loop_links, n.loop_links == 1 ? "" : "s",
       fmt::format("{} loop decision{}", n.loop_decisions, n.loop_decisions == 1 ? "" : "s"));
   const double rate = outcome.wall_s > 0 ? static_cast<double>(n.frames) / outcome.wall_s : 0;
   text += fmt::format("{:<10}{}, {:.1f} frames/s", "time", durationText(outcome.wall_s), rate);

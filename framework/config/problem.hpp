@@ -15,7 +15,7 @@ struct Origin {
   std::string file;       ///< path of the file, or "--set a.b=c" as typed; empty for a default
   int line = 0;           ///< from 1; 0 for the whole file
   int column = 0;         ///< from 1
-  std::string variables;  ///< expanded in the value, e.g. "KITTI_ROOT, HOME"
+  std::string variables;  ///< expanded in the value, e.g. "KITTI_ROOT (not set), HOME"
 
   static Origin ofFile(std::string path) { return {Kind::File, std::move(path), 0, 0, {}}; }
 };

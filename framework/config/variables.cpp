@@ -16,7 +16,8 @@ bool isName(std::string_view name) {
   return !name.empty() && !isDigit(name.front()) && std::ranges::all_of(name, inner);
 }
 
-/// The value for the text between the braces. Adds the name of the variable to `used`.
+/// The value for the text between the braces. Adds the name of the variable to `used`, and whether
+/// the default is taken.
 Result<std::string> lookUp(const std::string& inside, const Environment& environment,
                            std::string& used) {
   const std::size_t split = inside.find(":-");
@@ -33,7 +34,10 @@ Result<std::string> lookUp(const std::string& inside, const Environment& environ
   used += (used.empty() ? "" : ", ") + name;
   const std::optional<std::string> value = environment(name);
   if (value && !(value->empty() && has_default)) return *value;
-  if (has_default) return inside.substr(split + 2);
+  if (has_default) {
+    used += value ? " (empty)" : " (not set)";
+    return inside.substr(split + 2);
+  }
   return Status::invalidParameter("the environment variable " + name +
                                   " is not set; set it or write ${" + name + ":-default}");
 }

@@ -160,10 +160,8 @@ void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
   }
   if (alignment != Alignment::None && (turnIsOpen(pairs) || turnIsContradicted(pairs))) {
     scores.no_horizontal = scores.no_vertical =
-        "the path does not say how the estimate is turned about it: a quarter turn would change "
-        "the error by less than 5 %, or the orientations of the estimate differ from those of the "
-        "alignment by a tilt of more than 10 degrees; the alignment none, if both have the same "
-        "axes, tells them apart";
+        "unknown, as this path is too straight to tell how the estimate is turned about it (or its "
+        "orientations contradict its positions)";
     return;
   }
   scores.horizontal_m = absoluteError(pairs, Direction::Horizontal);

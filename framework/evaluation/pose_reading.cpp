@@ -62,6 +62,23 @@ Course courseOf(const Matches& matches, const Trajectory& poses, const Step& ste
   return course;
 }
 
+/// Whether most steps go on in the direction of the step before, as those of a path do, also of one
+/// that is driven to and fro. Differences between motions are mostly noise.
+bool goesOn(const Trajectory& poses) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 2; i < poses.size(); ++i) {
+    const auto at = [&](std::size_t k) { return poses[k].T_world_camera.translation(); };
+    const Eigen::Vector3d before = at(i - 1) - at(i - 2);
+    const Eigen::Vector3d after = at(i) - at(i - 1);
+    if (before.isZero(0) || after.isZero(0)) continue;
+    sum += before.normalized().dot(after.normalized());
+    ++count;
+  }
+  constexpr double kMostly = 0.7;  // chosen, not tuned
+  return sum > kMostly * static_cast<double>(count);
+}
+
 /// Whether all poses are turned by little, as motions from frame to frame are.
 bool turnLittle(const Trajectory& poses) {
   constexpr double kLargest = 20 * std::numbers::pi / 180;
@@ -105,7 +122,7 @@ std::string poseReadingHint(const Matches& matches) {
   const bool are_motions = both([&](const Trajectory& poses) {
     return turnLittle(poses) && courseOf(matches, poses, chained).concentration > kOneDirection;
   });
-  if (!are_motions) return "";
+  if (!are_motions || both(goesOn)) return "";
   return std::string(
              "both trajectories move in all directions of their camera, but in one if "
              "poses are motions from frame to frame: are they") +

@@ -45,15 +45,23 @@ double unitOf(const std::vector<double>& steps) {
   return divides_all ? unit : 0;
 }
 
-/// Whether the robot moves at changing speeds, by more than a unit. The steps of an exact path that
-/// was made by hand are alike.
+/// Whether the robot moves at changing speeds, by more than a unit, and unevenly. The steps of an
+/// exact path that was made by hand are alike, or grow evenly.
 bool stepsDiffer(const Trajectory& truth, double unit) {
   constexpr double kShare = 0.02;  // of the steps; chosen, not tuned
+  constexpr double kUneven = 0.1;  // likewise; of an even path only where it changes
   const std::vector<double> steps = stepLengths(truth);
   const double usual = statistics(steps).median;
-  const auto others = std::ranges::count_if(
-      steps, [&](double step) { return std::fabs(step - usual) > 0.3 * unit; });
-  return static_cast<double>(others) > kShare * static_cast<double>(steps.size());
+  const auto differ = [&](double difference) { return std::fabs(difference) > 0.3 * unit; };
+  std::size_t others = 0;
+  std::size_t uneven = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    others += differ(steps[i] - usual) ? 1 : 0;
+    uneven += i >= 2 && differ(steps[i] - 2 * steps[i - 1] + steps[i - 2]) ? 1 : 0;
+  }
+  const auto count = static_cast<double>(steps.size());
+  return static_cast<double>(others) > kShare * count &&
+         static_cast<double>(uneven) > kUneven * count;
 }
 
 }  // namespace

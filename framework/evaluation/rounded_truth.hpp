@@ -16,7 +16,8 @@ struct Rounding {
 
 /// The unit of an axis is the greatest one of which all its steps are multiples; it makes an error
 /// of u / sqrt(12) in that axis. Both are 0 for an axis in which nothing moves. The error is 0 if
-/// all steps are alike. `truth` must be as it was read: after a rotation it has no units.
+/// all steps are alike, or grow evenly. `truth` must be as it was read: after a rotation it has no
+/// units.
 Rounding roundingOf(const Trajectory& truth);
 
 /// A warning if that error is over a third of `rmse`, the position error of the estimate, and not

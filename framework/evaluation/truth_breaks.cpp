@@ -18,7 +18,7 @@ namespace tolman::evaluation {
 namespace {
 
 constexpr std::size_t kWindow = 5;  // steps over which displacements are compared
-constexpr double kRadians = std::numbers::pi / 180;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 bool isTracked(const Matches& matches, std::size_t from, std::size_t to) {
   for (std::size_t i = from + 1; i <= to; ++i) {
@@ -67,7 +67,7 @@ double turnAngle(const Trajectory& path, std::size_t i) {
 }
 
 bool isTurnJump(const Matches& matches, std::size_t i, double usual) {
-  constexpr double kLeast = 3 * kRadians;
+  constexpr double kLeast = 3 * kRadiansPerDegree;
   constexpr double kTimes = 4;
   const double turn = turnAngle(matches.truth, i);
   const double estimated = turnAngle(matches.estimate, i);
@@ -175,7 +175,8 @@ std::string turnJumpHint(const Matches& matches) {
     return fmt::format(
         "the truth turns by {:.3g} degrees in one step, to frame {}, where the estimate turns by "
         "{:.3g}: are its parts of different drives, or its poses wrong? All errors are wrong if so",
-        turn / kRadians, matches.truth[i].frame, turnAngle(matches.estimate, i) / kRadians);
+        turn / kRadiansPerDegree, matches.truth[i].frame,
+        turnAngle(matches.estimate, i) / kRadiansPerDegree);
   }
   return "";
 }

@@ -157,6 +157,17 @@ std::string openTurnNote(const evaluation::Metrics& metrics) {
   return "";
 }
 
+std::string warningNotes(const evaluation::Metrics& metrics) {
+  std::string text;
+  for (const auto& [name, trajectory] :
+       {std::pair("odometry", &metrics.odometry), std::pair("map", &metrics.map)}) {
+    if (trajectory->warning.empty()) continue;
+    text += fmt::format("<p><strong>Warning, {}:</strong> {}</p>\n", name,
+                        escaped(trajectory->warning));
+  }
+  return text;
+}
+
 std::string errorTable(const evaluation::Metrics& metrics) {
   return fmt::format(
              "<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th><th>ATE "
@@ -169,7 +180,7 @@ std::string errorTable(const evaluation::Metrics& metrics) {
              "%</th></tr>\n",
              enumName(metrics.alignment)) +
          errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) +
-         "</table></div>\n" + openTurnNote(metrics);
+         "</table></div>\n" + warningNotes(metrics) + openTurnNote(metrics);
 }
 
 /// Table of the sessions; empty for a single session whose map is connected.

@@ -114,11 +114,10 @@ TEST_CASE("one line tells what the cells said and how they are tuned") {
   cells.position_m = {100, 12, 20};
   cells.modulo_m = 60;
   CHECK(app::cellsText(cells) ==
-        "cells     heading error median 3.6, 90 % 7.0 deg; mean vector 0.75, 100 % of the units "
-        "above chance; "
-        "half width 45 deg; position error median 12.0, 90 % 20.0 m (modulo 60 m); square grid "
-        "1.10, 50 % of the units above chance\n");
+        "cells     heading error median 3.6, 90 % 7.0 deg; mean vector 0.75 (chance 0.30, 100 % of "
+        "the units above it); half width 45 deg; position error median 12.0, 90 % 20.0 m (modulo "
+        "60 m); square grid 1.10 (chance 0.40, 50 % of the units above it)\n");
   cells.sheets[0].scores.sargolini = {1.28, 0.3, 0, 1};
   CHECK_THAT(app::cellsText(cells),
-             Catch::Contains("; hexagonal grid 1.28, 100 % of the units above chance"));
+             Catch::Contains("; hexagonal grid 1.28 (chance 0.30, 100 % of the units above it)"));
 }

@@ -152,8 +152,8 @@ TEST_CASE("explain shows the origin of each value") {
   has("threads: 0                                  # default");
   has("  active_points: 1000                       # layers/base.yaml:4:49");
   has("  scale: 4                                  # --set odometry.scale=${SCALE:-4} with SCALE "
-      "of "
-      "the environment");
+      "(not "
+      "set) of the environment");
   has("    name: b                                 # layers/night.yaml:4:75");
 }
 

@@ -62,7 +62,11 @@ TEST_CASE("A quoted variable may be a number, and its origin has the name of the
   config::expandVariables(node, "key", test::environmentOf({}), problems);
   CHECK(node.text == "12");
   CHECK_FALSE(node.quoted);
-  CHECK(node.origin.variables == "A, B");
+  CHECK(node.origin.variables == "A (not set), B (not set)");
+  node.text = "${A:-1}${B:-2}${C}";
+  config::expandVariables(node, "key", test::environmentOf({{"A", ""}, {"C", "3"}}), problems);
+  CHECK(node.text == "123");
+  CHECK(node.origin.variables == "A (empty), B (not set), C");
 }
 
 TEST_CASE("processEnvironment() reads the environment of this process") {

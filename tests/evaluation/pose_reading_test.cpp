@@ -89,4 +89,10 @@ TEST_CASE("a camera that is carried has no direction of its own, a straight road
   }
   CHECK(hint(far_away, far_away).empty());
   CHECK(hint(drive(0, 0, 20), drive(0, 0, 20)).empty());
+  Trajectory to_and_fro = straight;
+  for (std::size_t i = 0; i < to_and_fro.size(); ++i) {
+    const auto step = static_cast<double>(i % 40);
+    to_and_fro[i].T_world_camera = Eigen::Translation3d(0, 0, std::min(step, 40 - step));
+  }
+  CHECK(hint(to_and_fro, to_and_fro).empty());
 }

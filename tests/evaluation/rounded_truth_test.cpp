@@ -52,6 +52,13 @@ TEST_CASE("the unit of rounded positions, and the error that rounding makes") {
   CHECK(roundingOf(farDrive()).error == 0);
   CHECK(roundingOf(test::straightPath(100)).error == 0);  // exact: all steps are of 1 m
   CHECK(roundingOf(test::straightPath(100, 0)).error == 0);
+  Trajectory faster = test::straightPath(40);  // by 0.025 m each frame, up to 1 m
+  double at = 0;
+  for (std::size_t i = 0; i < faster.size(); ++i) {
+    faster[i].T_world_camera.translation().z() = at;
+    at += std::min(1.0, 0.4 + 0.025 * static_cast<double>(i));
+  }
+  CHECK(roundingOf(faster).error == 0);
   CHECK(roundingOf({}).error == 0);
 }
 

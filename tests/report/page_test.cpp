@@ -41,6 +41,15 @@ TEST_CASE("a page holds figures, errors, health, provenance and configuration of
   CHECK(contains(text, "name: sample"));
 }
 
+TEST_CASE("a page has the warnings of the errors") {
+  const test::TemporaryFolder folder;
+  test::recordRichRun(folder.path(), 40, "feet", 3.28);
+  CHECK(contains(html({test::pageOf(folder.path()).value()}), "<strong>Warning, map:</strong> "));
+  const test::TemporaryFolder right;
+  test::recordRichRun(right.path(), 40, "metres");
+  CHECK_FALSE(contains(html({test::pageOf(right.path()).value()}), "<strong>Warning"));
+}
+
 TEST_CASE("a page needs no network, and names in it are only text") {
   const test::TemporaryFolder folder;
   test::recordRichRun(folder.path(), 3, "<script>alert(1)</script>");
