@@ -112,7 +112,9 @@ TEST_CASE("a run without memory for its report or its record does not say that i
   for (int mib = 120; mib <= 290; mib += mib < 260 ? 20 : 1) {
     const Finished finished = within(mib, words);
     CAPTURE(mib, finished.exit_code, finished.err);
-    CHECK(std::set{0, 4, 70}.contains(finished.exit_code));
+    // libgfortran, which BLAS needs, ends the process with 1 where its initialiser finds no memory.
+    const bool is_fortran = contains(finished.err, "Allocating cleared memory failed");
+    CHECK((std::set{0, 4, 70}.contains(finished.exit_code) || is_fortran));
     if (fs::exists(out / "run.json")) {
       const bool is_finished = readJson(out / "run.json")["status"] == "finished";
       if (finished.exit_code == 0) CHECK(is_finished);
