@@ -21,6 +21,11 @@ std::string errorText(const char* name, const std::optional<evaluation::ErrorFig
                      unit);
 }
 
+/// "1 link", "2 links".
+std::string counted(std::int64_t number, std::string_view thing) {
+  return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
+}
+
 std::string scoreText(std::string_view name, const std::optional<evaluation::UnitScore>& score) {
   if (!score) return "";
   return fmt::format("{} {:.2f} (chance {:.2f}, {:.0f} % of the units above it)", name,
@@ -86,11 +91,10 @@ std::string healthText(const run::Outcome& outcome) {
   if (!n.endText().empty()) text += fmt::format("{:<10}{}\n", "", n.endText());
   text += fmt::format("{:<10}{} processed, {} dropped, {} skipped, {} without image\n", "frames",
                       n.frames, n.dropped, n.skipped, n.defects);
-  text += fmt::format(
-      "{:<10}{} template{}, {} experience{}, {} link{}, of them {} loop link{} ({})\n", "memory",
-      n.templates, n.templates == 1 ? "" : "s", n.experiences, n.experiences == 1 ? "" : "s",
-      n.links, n.links == 1 ? "" : "s", n.loop_links, n.loop_links == 1 ? "" : "s",
-      fmt::format("{} loop decision{}", n.loop_decisions, n.loop_decisions == 1 ? "" : "s"));
+  text +=
+      fmt::format("{:<10}{}, {}, {}, of them {} ({})\n", "memory", counted(n.templates, "template"),
+                  counted(n.experiences, "experience"), counted(n.links, "link"),
+                  counted(n.loop_links, "loop link"), counted(n.loop_decisions, "loop decision"));
   const double rate = outcome.wall_s > 0 ? static_cast<double>(n.frames) / outcome.wall_s : 0;
   text += fmt::format("{:<10}{}, {:.1f} frames/s", "time", durationText(outcome.wall_s), rate);
   const std::int64_t last_ns = outcome.finish_times_ns[static_cast<std::size_t>(Role::Map)];

@@ -17,7 +17,6 @@
 namespace tolman::evaluation {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kApart = 45 * kDegree;
 constexpr double kTogether = 15 * kDegree;
 

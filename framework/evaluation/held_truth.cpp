@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evaluation/truth_steps.hpp"
+#include "evaluation/turns.hpp"
 
 namespace tolman::evaluation {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 /// truth ends a stretch: how the robot drove there is not known.
 bool isRepeated(const Matches& pairs, std::size_t i) {
   return pairs.truth[i].T_world_camera.matrix() == pairs.truth[i - 1].T_world_camera.matrix() &&
-         pairs.estimate[i].tracked && pairs.estimate[i - 1].tracked && pairs.inOnePiece(i - 1, i);
+         isTrackedStep(pairs, i);
 }
 
 /// Whether the true step to pair `i` is single and long, and the estimate makes none like it.
@@ -49,15 +50,8 @@ bool jumpsAfter(const Matches& pairs, std::size_t first, std::size_t last, doubl
   return jump > kSteps * longest && jump < kAsLong * way && way < kAsLong * jump;
 }
 
-/// A stretch of equal true poses, first to last, in which the estimate moves as if the robot drove.
-struct Held {
-  std::size_t first = 0;
-  std::size_t last = 0;
-  double way = 0;   ///< of the estimate, m
-  double jump = 0;  ///< of the truth after it, m; 0 if it goes on as if nothing was missing
-};
-
-std::optional<Held> heldStretch(const Matches& pairs) {
+/// A stretch of equal true poses in which the estimate moves as if the robot drove.
+std::optional<Standing> heldStretch(const Matches& pairs) {
   constexpr std::size_t kFewest = 3;  // frames of one pose; two may be of one moment
   // Chosen on held parts of KITTI 00 and 01; no alarm on EuRoC, TUM, KITTI 02, 05, 06, 07.
   constexpr double kUsualSpeed = 0.25;  // of the truth's where it moves
@@ -67,7 +61,7 @@ std::optional<Held> heldStretch(const Matches& pairs) {
   const double driven = usualStep(pairs.truth);
   for (std::size_t first = 0, i = 1; i <= pairs.size(); ++i) {
     if (i < pairs.size() && isRepeated(pairs, i)) continue;
-    Held held{first, i - 1, distanceBetween(pairs.estimate, first, i - 1)};
+    Standing held{first, i - 1, distanceBetween(pairs.estimate, first, i - 1)};
     const auto frames = static_cast<double>(i - first);
     first = i;
     if (frames < kFewest || held.way < moved || driven == 0) continue;
@@ -89,26 +83,24 @@ Matches exchanged(const Matches& pairs) {
   return other;
 }
 
-std::string textOf(const Held& held, const Matches& pairs, const char* still, const char* moves) {
-  const std::string jump =
-      held.jump > 0 ? fmt::format(", and then jumps {:.3g} m", held.jump) : std::string();
-  return fmt::format("the {} stands still from frame {} to {} while the {} moves {:.3g} m{}", still,
-                     pairs.truth[held.first].frame, pairs.truth[held.last].frame, moves, held.way,
-                     jump);
-}
-
 }  // namespace
 
+std::string standingText(const Standing& standing, const Matches& pairs, bool is_truth,
+                         const char* still) {
+  const std::string jump =
+      standing.jump > 0 ? fmt::format(", and then jumps {:.3g} m", standing.jump) : std::string();
+  return fmt::format("the {} stands {} from frame {} to {} while the {} moves {:.3g} m{}: {}",
+                     is_truth ? "truth" : "estimate", still, pairs.truth[standing.first].frame,
+                     pairs.truth[standing.last].frame, is_truth ? "estimate" : "truth",
+                     standing.way, jump,
+                     is_truth ? "are poses held or missing? All errors are wrong if so"
+                              : "is odometry lost, or its sensor, without saying so?");
+}
+
 std::string heldHint(const Matches& aligned) {
-  if (const std::optional<Held> held = heldStretch(aligned)) {
-    return textOf(*held, aligned, "truth", "estimate") +
-           ": are poses held or missing? All errors are wrong if so";
-  }
+  if (const auto held = heldStretch(aligned)) return standingText(*held, aligned, true, "still");
   const Matches other = exchanged(aligned);
-  if (const std::optional<Held> held = heldStretch(other)) {
-    return textOf(*held, other, "estimate", "truth") +
-           ": is odometry lost, or its sensor, without saying so?";
-  }
+  if (const auto held = heldStretch(other)) return standingText(*held, other, false, "still");
   return "";
 }
 

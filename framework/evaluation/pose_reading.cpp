@@ -75,7 +75,7 @@ bool goesOn(const Trajectory& poses) {
     sum += before.normalized().dot(after.normalized());
     ++count;
   }
-  constexpr double kMostly = 0.7;  // chosen, not tuned
+  constexpr double kMostly = 0.7;  // chosen, not tuned; judged on motions of KITTI 00 to 07
   return sum > kMostly * static_cast<double>(count);
 }
 

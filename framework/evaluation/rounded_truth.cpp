@@ -49,7 +49,7 @@ double unitOf(const std::vector<double>& steps) {
 /// exact path that was made by hand are alike, or grow evenly.
 bool stepsDiffer(const Trajectory& truth, double unit) {
   constexpr double kShare = 0.02;  // of the steps; chosen, not tuned
-  constexpr double kUneven = 0.1;  // likewise; of an even path only where it changes
+  constexpr double kUneven = 0.1;  // likewise; an even path has a few, where it changes
   const std::vector<double> steps = stepLengths(truth);
   const double usual = statistics(steps).median;
   const auto differ = [&](double difference) { return std::fabs(difference) > 0.3 * unit; };

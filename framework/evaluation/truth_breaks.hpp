@@ -20,8 +20,8 @@ std::string turnJumpHint(const Matches& matches);
 
 /// A warning if the truth, over thirty steps or more, has exactly one value of a coordinate along
 /// which the estimate moves, by half of its largest extent there or more, and by a tenth of that of
-/// the whole truth; else empty. A path that
-/// is given on a plane has one, but the estimate hardly moves along it. The estimate is aligned.
+/// the whole truth; else empty. A path that is given on a plane has one, but the estimate hardly
+/// moves along it. The estimate is aligned.
 std::string constantCoordinateHint(const Matches& aligned);
 
 /// A warning if the ratio of estimated to true lengths is by a factor of 1.5 or more another from

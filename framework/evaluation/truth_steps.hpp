@@ -3,11 +3,25 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "evaluation/errors.hpp"
 
 namespace tolman::evaluation {
+
+/// A stretch, from pair `first` to `last`, in which one of the two stands and the other moves.
+struct Standing {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  double way = 0;   ///< of the one that moves, m
+  double jump = 0;  ///< of the one that stands, after the stretch, m; 0 if it goes on without one
+};
+
+/// "the truth stands still from frame 3 to 9 while the estimate moves 12 m", and what to look for.
+/// `is_truth`: whether it is the truth that stands. `still`: "still" or "almost still".
+std::string standingText(const Standing& standing, const Matches& pairs, bool is_truth,
+                         const char* still);
 
 inline double distanceBetween(const Trajectory& path, std::size_t from, std::size_t to) {
   return (path[to].T_world_camera.translation() - path[from].T_world_camera.translation()).norm();

@@ -15,8 +15,6 @@
 namespace tolman::evaluation {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 /// Sums over vectors of the truth and of the estimate: their mean angle, weighted by length, and
 /// what is left of it after a rotation.
 class Directions {

@@ -10,6 +10,8 @@
 
 namespace tolman::evaluation {
 
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< rad
+
 /// Whether the motion from pair i - 1 to pair i was tracked, within one piece of the path.
 inline bool isTrackedStep(const Matches& matches, std::size_t i) {
   return matches.estimate[i].tracked && matches.estimate[i - 1].tracked &&
@@ -29,7 +31,6 @@ inline Eigen::Vector3d turnBetween(const TrajectoryPose& from, const TrajectoryP
 /// about which axis is then uncertain.
 template <class Visit>
 void visitTurns(const Matches& matches, Visit&& visit) {
-  constexpr double kDegree = std::numbers::pi / 180;
   constexpr double kTurn = 5 * kDegree;
   constexpr double kRight = 90 * kDegree;
   for (std::size_t begin = 0, i = 1; i < matches.size(); ++i) {

@@ -231,9 +231,13 @@ Status RunDirectory::removeDerived() const {
   return removeDerivedFiles(path_, kept);
 }
 
-Status RunDirectory::writeRunFile(nlohmann::ordered_json provenance, RunState state) const {
+std::string RunDirectory::runFileText(nlohmann::ordered_json provenance, RunState state) {
   provenance["status"] = enumName(state);
-  const std::string text = config::jsonText(provenance, 2) + "\n";
+  return config::jsonText(provenance, 2) + "\n";
+}
+
+Status RunDirectory::writeRunFile(const nlohmann::ordered_json& provenance, RunState state) const {
+  const std::string text = runFileText(provenance, state);
   spare_ = FileDescriptor(-1);
   const Status written =
       writeAtomicallyAt(lock_, "run.json", std::as_bytes(std::span(text.data(), text.size())),

@@ -68,9 +68,11 @@ class RunDirectory {
   /// Removes what was computed from a record that is about to change (removeDerivedFiles()).
   Status removeDerived() const;
 
-  /// Writes run.json: the object `provenance` and "status". Writes into this folder even if it was
-  /// moved.
-  Status writeRunFile(nlohmann::ordered_json provenance, RunState state) const;
+  /// The text of run.json: the object `provenance` and "status".
+  static std::string runFileText(nlohmann::ordered_json provenance, RunState state);
+
+  /// Writes run.json, into this folder even if it was moved.
+  Status writeRunFile(const nlohmann::ordered_json& provenance, RunState state) const;
 
  private:
   RunDirectory(std::filesystem::path path, FileDescriptor lock)

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "config/json_text.hpp"
 #include "config/loader.hpp"
 #include "config/system_config.hpp"
 #include "record/output_places.hpp"
@@ -127,11 +126,10 @@ Result<std::vector<fs::path>> writeReport(
 }
 
 Status writeReport(const record::RunReader& reader, report::RunData data,
-                   const nlohmann::ordered_json& run_file) {
+                   const std::string& run_file) {
   auto page = report::makePage(reader, std::move(data));
   if (!page.isOk()) return page.status();
-  // As it will be read from its file: with U+FFFD for bytes that are no UTF-8.
-  page.value().provenance = nlohmann::ordered_json::parse(config::jsonText(run_file, -1));
+  page.value().provenance = nlohmann::ordered_json::parse(run_file);
   page.value().killed = false;
   ReportFiles files(reader.directory());
   const Status status = files.addFigures("", page.value(), false);

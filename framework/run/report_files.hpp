@@ -4,7 +4,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "record/run_reader.hpp"
@@ -23,8 +23,8 @@ Result<std::vector<std::filesystem::path>> writeReport(
     const std::filesystem::path& folder, const report::UnitChoice& units = {});
 
 /// The same for one run whose record has been read already: writes into the directory of the run,
-/// and no PNG files. `run_file`: the run.json that will be written after the report.
+/// and no PNG files. `run_file`: text of the run.json that will be written after the report.
 Status writeReport(const record::RunReader& reader, report::RunData data,
-                   const nlohmann::ordered_json& run_file);
+                   const std::string& run_file);
 
 }  // namespace tolman::run

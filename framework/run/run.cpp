@@ -200,8 +200,9 @@ void Run::conclude(Outcome& outcome) {
   if (results.isOk() && config().record.report) {
     completeRunFile(outcome);
     failUnlessWritten(outcome, host::contained([&] {
-                        return writeReport(*results.value().reader, std::move(results.value().data),
-                                           run_file_);
+                        return writeReport(
+                            *results.value().reader, std::move(results.value().data),
+                            record::RunDirectory::runFileText(run_file_, stateOf(outcome)));
                       }));
   }
   if (writeRunFile(outcome)) return;
@@ -210,10 +211,8 @@ void Run::conclude(Outcome& outcome) {
 }
 
 void Run::completeRunFile(const Outcome& outcome) {
-  run_file_.erase("status");  // stays the last key
   addOutcome(run_file_, outcome);
   if (options_.exit_code) run_file_["exit_code"] = options_.exit_code(outcome);
-  run_file_["status"] = enumName(stateOf(outcome));
 }
 
 /// The last file of a run: until it is written, and whatever ends the process before, run.json says

@@ -6,6 +6,7 @@
 
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
+#include "evaluation/turns.hpp"
 
 using namespace tolman;
 using namespace tolman::evaluation;
@@ -75,8 +76,6 @@ std::string warning(const Trajectory& truth, const Trajectory& estimate,
   return scoreTrajectory(truth, estimate, alignment).warning;
 }
 
-constexpr double kRadiansPerDegree = 3.14159265358979 / 180;
-
 }  // namespace
 
 TEST_CASE("a truth or an estimate that stands but for noise while the other drives") {
@@ -102,11 +101,10 @@ TEST_CASE("a truth that turns in one step as nothing around it does") {
   const Trajectory estimate = driveWithStop(0.02);
   for (const double degrees : {-170.0, -10.0, 10.0, 45.0}) {
     CAPTURE(degrees);
-    CHECK_THAT(
-        turnJumpHint(test::paired(withHalf(truth, degrees * kRadiansPerDegree, 1), estimate)),
-        Catch::Contains(", to frame 200, where the estimate turns by"));
+    CHECK_THAT(turnJumpHint(test::paired(withHalf(truth, degrees * kDegree, 1), estimate)),
+               Catch::Contains(", to frame 200, where the estimate turns by"));
   }
-  CHECK_THAT(warning(withHalf(truth, 30 * kRadiansPerDegree, 1), estimate),
+  CHECK_THAT(warning(withHalf(truth, 30 * kDegree, 1), estimate),
              Catch::StartsWith("the truth turns by 28.5 degrees in one step"));
   // Both turn so: a robot that is carried, or a low rate of images.
   CHECK(turnJumpHint(test::paired(withHalf(truth, 0.5, 1), withHalf(estimate, 0.5, 1))).empty());

@@ -3,17 +3,15 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
+#include "evaluation/turns.hpp"
 
 using namespace tolman;
 using namespace tolman::evaluation;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A car through bends and over bumps: yaw by the way, pitch and roll by the road.
 Trajectory bumpyDrive(double noise_deg = 0, double noise_m = 0) {
