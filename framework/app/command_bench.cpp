@@ -8,10 +8,10 @@
 #include "app/progress_line.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
-#include "bench/bench.hpp"
-#include "bench/bench_odometry.hpp"
-#include "bench/bench_places.hpp"
-#include "bench/place_curves.hpp"
+#include "experiment/bench.hpp"
+#include "experiment/bench_odometry.hpp"
+#include "experiment/bench_places.hpp"
+#include "experiment/place_curves.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {

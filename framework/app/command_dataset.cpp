@@ -16,9 +16,9 @@
 #include "config/overrides.hpp"
 #include "host/guard.hpp"
 #include "host/stage_artefacts.hpp"
-#include "imaging/pair_survey.hpp"
-#include "pipeline/rectified_source.hpp"
-#include "run/assembly.hpp"
+#include "engine/pair_survey.hpp"
+#include "engine/rectified_source.hpp"
+#include "engine/assembly.hpp"
 
 namespace tolman::app {
 namespace {

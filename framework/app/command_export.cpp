@@ -13,7 +13,7 @@
 #include "app/output_files.hpp"
 #include "app/path_kind.hpp"
 #include "app/program.hpp"
-#include "isolation/child_process.hpp"
+#include "host/child_process.hpp"
 #include "record/export.hpp"
 #include "record/output_places.hpp"
 #include "record/reference.hpp"

@@ -16,7 +16,7 @@
 #include "app/output_files.hpp"
 #include "app/path_kind.hpp"
 #include "app/system_options.hpp"
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 #include "record/atomic_file.hpp"
 #include "record/output_places.hpp"
 

@@ -19,7 +19,7 @@
 #include "app/terminal_output.hpp"
 #include "record/graph_parts.hpp"
 #include "record/run_reader.hpp"
-#include "shortest_path.hpp"
+#include "base/shortest_path.hpp"
 
 namespace tolman::app {
 namespace {

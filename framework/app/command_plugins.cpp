@@ -19,8 +19,8 @@
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
 #include "host/gate.hpp"
-#include "isolation/remote_plugin.hpp"
-#include "run/assembly.hpp"
+#include "host/remote_plugin.hpp"
+#include "engine/assembly.hpp"
 
 namespace tolman::app {
 namespace {

@@ -14,7 +14,7 @@
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
 #include "host/catalogue.hpp"
-#include "run/checked_system.hpp"
+#include "engine/checked_system.hpp"
 
 namespace tolman::app {
 namespace {

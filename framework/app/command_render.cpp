@@ -18,12 +18,12 @@
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
 #include "config/scalars.hpp"
-#include "dataset/rendering.hpp"
-#include "pipeline/drive.hpp"
+#include "app/rendering.hpp"
+#include "engine/drive.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
-#include "run/assembly.hpp"
-#include "run/input_data.hpp"
+#include "engine/assembly.hpp"
+#include "engine/input_data.hpp"
 
 namespace tolman::app {
 namespace {

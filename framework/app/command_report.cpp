@@ -10,7 +10,7 @@
 #include "app/program.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
-#include "run/report_files.hpp"
+#include "engine/report_files.hpp"
 
 namespace tolman::app {
 namespace {

@@ -17,8 +17,8 @@
 #include "app/terminal_output.hpp"
 #include "record/digest.hpp"
 #include "record/run_directory.hpp"
-#include "run/run.hpp"
-#include "run/terminal.hpp"
+#include "engine/run.hpp"
+#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/output_files.hpp"
 #include "app/summary.hpp"
 #include "app/system_options.hpp"
-#include "run/page_observer.hpp"
+#include "engine/page_observer.hpp"
 
 namespace tolman::app {
 namespace {

@@ -21,11 +21,11 @@
 #include "experiment/run_table.hpp"
 #include "experiment/sweep_archive.hpp"
 #include "host/scratch_folder.hpp"
-#include "isolation/child_process.hpp"
+#include "host/child_process.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
 #include "record/output_places.hpp"
-#include "run/terminal.hpp"
+#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

@@ -14,8 +14,8 @@
 #include "conformance/run_check.hpp"
 #include "host/manifest.hpp"
 #include "host/scratch_folder.hpp"
-#include "isolation/remote_plugin.hpp"
-#include "run/checked_system.hpp"
+#include "host/remote_plugin.hpp"
+#include "engine/checked_system.hpp"
 
 namespace tolman::app {
 namespace {

@@ -11,8 +11,8 @@
 #include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/progress_line.hpp"
-#include "run/replay_server.hpp"
-#include "run/terminal.hpp"
+#include "engine/replay_server.hpp"
+#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/exit_code.hpp"
 
-#include "run/run.hpp"
+#include "engine/run.hpp"
 
 namespace tolman::app {
 

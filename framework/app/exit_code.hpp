@@ -2,7 +2,7 @@
 // How the program ends; docs/errors.md lists the same for users.
 #pragma once
 
-#include "run/failure.hpp"
+#include "engine/failure.hpp"
 
 namespace tolman::run {
 struct Outcome;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/help_texts.hpp"
-#include "run/build_info.hpp"
+#include "engine/build_info.hpp"
 
 namespace tolman::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/parameter_text.hpp"
 #include "config/settings.hpp"
-#include "run/value_json.hpp"
+#include "engine/value_json.hpp"
 
 namespace tolman::app {
 namespace {

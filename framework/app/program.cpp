@@ -27,8 +27,8 @@
 #include "record/run_check.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
-#include "run/build_info.hpp"
-#include "run/terminal.hpp"
+#include "engine/build_info.hpp"
+#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

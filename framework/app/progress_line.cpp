@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app/duration_text.hpp"
-#include "run/terminal.hpp"
+#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

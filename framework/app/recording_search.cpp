@@ -10,8 +10,8 @@
 
 #include "config/scalars.hpp"
 #include "record/regular_file.hpp"
-#include "run/checked_system.hpp"
-#include "text_encoding.hpp"
+#include "engine/checked_system.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/program.hpp"
 #include "record/run_check.hpp"
 #include "record/run_directory.hpp"
-#include "run/program_changes.hpp"
+#include "engine/program_changes.hpp"
 
 namespace tolman::app {
 namespace {

@@ -13,15 +13,15 @@
 #include <system_error>
 
 #include "app/terminal_output.hpp"
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
-#include "dataset/rendering.hpp"
+#include "app/rendering.hpp"
 #include "host/guard.hpp"
 #include "host/library.hpp"
-#include "isolation/child_process.hpp"
-#include "isolation/plugin_process.hpp"
+#include "host/child_process.hpp"
+#include "host/plugin_process.hpp"
 #include "record/atomic_file.hpp"
-#include "run/assembly.hpp"
+#include "engine/assembly.hpp"
 
 namespace tolman::app {
 namespace {

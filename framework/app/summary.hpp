@@ -7,7 +7,7 @@
 
 #include "app/program.hpp"
 #include "evaluation/metrics.hpp"
-#include "run/run.hpp"
+#include "engine/run.hpp"
 
 namespace tolman::app {
 

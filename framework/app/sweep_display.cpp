@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/duration_text.hpp"
-#include "run/terminal.hpp"
+#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

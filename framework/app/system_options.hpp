@@ -10,7 +10,7 @@
 #include "app/program.hpp"
 #include "app/source_overrides.hpp"
 #include "config/scalars.hpp"
-#include "run/checked_system.hpp"
+#include "engine/checked_system.hpp"
 
 namespace tolman::app {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "config/json_text.hpp"
-#include "run/terminal.hpp"
+#include "engine/terminal.hpp"
 
 namespace tolman::app {
 

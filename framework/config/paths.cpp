@@ -6,7 +6,7 @@
 
 #include <cerrno>
 
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 
 namespace tolman::config {
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <utility>
 
-#include "text_encoding.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::config {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "conformance/check.hpp"
 #include "conformance/check_context.hpp"
-#include "conformance/process_state.hpp"
+#include "host/process_state.hpp"
 
 namespace tolman::conformance {
 namespace {

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "isolation/channel.hpp"
+#include "host/channel.hpp"
 
 namespace tolman::conformance {
 namespace {

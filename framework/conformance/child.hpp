@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "isolation/child_process.hpp"
+#include "host/child_process.hpp"
 
 namespace tolman::conformance {
 

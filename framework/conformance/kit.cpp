@@ -8,7 +8,7 @@
 #include "conformance/child.hpp"
 #include "conformance/protocol.hpp"
 #include "host/scratch_folder.hpp"
-#include "isolation/plugin_process.hpp"
+#include "host/plugin_process.hpp"
 
 namespace tolman::conformance {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 #include "config/json_integer.hpp"
 
 namespace tolman::conformance {

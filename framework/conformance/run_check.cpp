@@ -9,7 +9,7 @@
 
 #include "conformance/check.hpp"
 #include "conformance/check_context.hpp"
-#include "isolation/child_process.hpp"
+#include "host/child_process.hpp"
 
 namespace tolman::conformance {
 namespace {

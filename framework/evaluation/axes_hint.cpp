@@ -18,7 +18,7 @@ namespace tolman::evaluation {
 namespace {
 
 constexpr double kApart = 45 * kDegree;
-constexpr double kTogether = 15 * kDegree;
+constexpr double kNearAxis = 15 * kDegree;
 
 Eigen::Vector3d step(const Trajectory& path, std::size_t from, std::size_t to) {
   return (path[from].T_world_camera.inverse() * path[to].T_world_camera).translation();
@@ -139,8 +139,8 @@ std::string axesHint(const Matches& matches) {
   if (apart < kApart) return "";
   const Steps other = stepsOf(inverted(matches.truth), matches.estimate);
   // On a straight path, and on a circle, inverted and reversed poses are alike.
-  const bool backwards = meanAngle(-steps.products.trace(), steps) < kTogether;
-  if (meanAngle(other.products.trace(), other) < kTogether) {
+  const bool backwards = meanAngle(-steps.products.trace(), steps) < kNearAxis;
+  if (meanAngle(other.products.trace(), other) < kNearAxis) {
     return fmt::format(
         "the true poses, read as world to camera, agree with the estimate, and as camera to world "
         "they do not: write camera-to-world poses{}. All errors are wrong until then",
@@ -153,7 +153,7 @@ std::string axesHint(const Matches& matches) {
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   const Eigen::Vector3d& s = svd.singularValues();
   const double together = meanAngle(s[0] + s[1] + sign * s[2], steps);
-  if (together > kTogether) return "";
+  if (together > kNearAxis) return "";
   return fmt::format(
       "true and estimated motion point in directions {:.0f} degrees apart, but in the same way "
       "all along: are the true poses camera to world, of the left camera (x right, y down, z "

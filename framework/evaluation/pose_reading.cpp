@@ -23,7 +23,7 @@ Eigen::Vector3d asRead(const Pose& from, const Pose& to) {
   return from.linear().transpose() * (to.translation() - from.translation());
 }
 
-Eigen::Vector3d inverted(const Pose& from, const Pose& to) {
+Eigen::Vector3d invertedStep(const Pose& from, const Pose& to) {
   return asRead(from.inverse(), to.inverse());
 }
 
@@ -99,16 +99,16 @@ std::string poseReadingHint(const Matches& matches) {
   });
   if (!is_scattered) return "";
   constexpr const char* kRemedy = "? Errors are those of the path only if they are camera to world";
-  // Turns at a distance from the origin make a path of inverted poses longer, never shorter.
+  // Turns at a distance from the origin make a path of invertedStep poses longer, never shorter.
   const bool are_inverse = both([&](const Trajectory& poses) {
-    const Course course = courseOf(matches, poses, inverted);
+    const Course course = courseOf(matches, poses, invertedStep);
     return course.concentration > kOneDirection &&
            course.length < courseOf(matches, poses, asRead).length;
   });
   if (are_inverse) {
     return std::string(
                "both trajectories move in all directions of their camera, but in one if "
-               "every pose is inverted: are both world to camera") +
+               "every pose is invertedStep: are both world to camera") +
            kRemedy;
   }
   const bool are_transposed = both([&](const Trajectory& poses) {

@@ -17,9 +17,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "number_text.hpp"
-#include "open_files.hpp"
-#include "text_encoding.hpp"
+#include "base/number_text.hpp"
+#include "base/open_files.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::evaluation {
 namespace {

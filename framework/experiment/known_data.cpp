@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "record/atomic_file.hpp"
 #include "record/regular_file.hpp"

@@ -10,7 +10,7 @@
 
 #include "config/overrides.hpp"
 #include "record/digest.hpp"
-#include "run/input_data.hpp"
+#include "engine/input_data.hpp"
 
 namespace tolman::experiment {
 namespace {

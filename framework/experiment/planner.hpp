@@ -13,7 +13,7 @@
 #include "config/loader.hpp"
 #include "experiment/points.hpp"
 #include "record/data_digest.hpp"
-#include "run/checked_system.hpp"
+#include "engine/checked_system.hpp"
 
 namespace tolman::experiment {
 

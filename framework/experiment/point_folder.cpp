@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "config/named_value.hpp"
 #include "config/paths.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiment/point_folder.hpp"
-#include "run/run.hpp"
+#include "engine/run.hpp"
 
 namespace tolman::experiment {
 

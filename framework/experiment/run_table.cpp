@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 #include "config/differences.hpp"
 #include "config/loader.hpp"
 #include "config/paths.hpp"
@@ -21,8 +21,8 @@
 #include "record/regular_file.hpp"
 #include "record/run_check.hpp"
 #include "record/run_directory.hpp"
-#include "run/run_names.hpp"
-#include "text_encoding.hpp"
+#include "engine/run_names.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::experiment {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <optional>
 
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 
 namespace tolman::host {
 namespace {

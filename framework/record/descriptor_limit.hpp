@@ -2,7 +2,7 @@
 // A limit of open files (`ulimit -n`) as the cause of a failure of a record.
 #pragma once
 
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 
 namespace tolman::record {
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#define SQLITE_ENABLE_PREUPDATE_HOOK  // declares the hook, which Debian's library has
 #include <sqlite3.h>
 
 #include <algorithm>

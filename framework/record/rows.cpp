@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 #include "record/sqlite.hpp"
 
 namespace tolman::record {

@@ -12,7 +12,7 @@
 #include <span>
 #include <system_error>
 
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "config/paths.hpp"
 #include "record/descriptor_limit.hpp"

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "run/run.hpp"
+#include "engine/run.hpp"
 
 using namespace tolman;
 using app::exitCode;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Claims that a place is passed in the opposite direction, on a street that is driven out and back.
-#include "bench/opposite_places.hpp"
+#include "experiment/opposite_places.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves from files, and their positions in the figure.
-#include "bench/place_curves.hpp"
+#include "experiment/place_curves.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

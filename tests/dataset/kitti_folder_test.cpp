@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The text files of a rendered folder, and the handling of a folder that is not empty.
-#include "dataset/kitti_folder.hpp"
+#include "app/kitti_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Revisits compared with hand-made routes, an exhaustive search, and real drives.
-#include "dataset/loop_truth.hpp"
+#include "evaluation/loop_truth.hpp"
 
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenCV decodes the encoded images to the same pixels.
-#include "dataset/png_encoder.hpp"
+#include "app/png_encoder.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

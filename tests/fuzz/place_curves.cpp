@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: earlier measurements that `tolman bench places --beside` reads and draws.
-#include "bench/place_curves.hpp"
+#include "experiment/place_curves.hpp"
 
 #include "input.hpp"
 

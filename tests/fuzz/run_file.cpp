@@ -2,8 +2,8 @@
 // Fuzz target: the JSON files of a run: run.json, and session.json of a saved session.
 #include "input.hpp"
 #include "record/run_directory.hpp"
-#include "run/failure.hpp"
-#include "run/state_files.hpp"
+#include "engine/failure.hpp"
+#include "engine/state_files.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tolman;

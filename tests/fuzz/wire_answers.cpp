@@ -6,8 +6,8 @@
 
 #include "host/stages.hpp"
 #include "input.hpp"
-#include "isolation/codec.hpp"
-#include "isolation/shared_buffer.hpp"
+#include "host/codec.hpp"
+#include "host/shared_buffer.hpp"
 #include "small_plugins.hpp"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "input.hpp"
-#include "isolation/call_handlers.hpp"
-#include "isolation/context_message.hpp"
+#include "host/call_handlers.hpp"
+#include "host/context_message.hpp"
 
 namespace {
 

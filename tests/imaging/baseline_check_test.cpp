@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "imaging/baseline_check.hpp"
+#include "engine/baseline_check.hpp"
 
 #include <catch2/catch.hpp>
 

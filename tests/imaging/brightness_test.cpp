@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "imaging/brightness.hpp"
+#include "engine/brightness.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calibrations that cannot be of these images: resized ones, and other units.
-#include "imaging/camera_check.hpp"
+#include "engine/camera_check.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "imaging/gray_half.hpp"
+#include "engine/gray_half.hpp"
 
 #include <catch2/catch.hpp>
 

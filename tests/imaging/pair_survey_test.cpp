@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report on pairs with known faults.
-#include "imaging/pair_survey.hpp"
+#include "engine/pair_survey.hpp"
 
 #include <catch2/catch.hpp>
 

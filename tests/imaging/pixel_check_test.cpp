@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "imaging/pixel_check.hpp"
+#include "engine/pixel_check.hpp"
 
 #include <catch2/catch.hpp>
 

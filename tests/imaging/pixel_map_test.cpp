@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rectified images against OpenCV's maps and cv::remap.
-#include "imaging/pixel_map.hpp"
+#include "engine/pixel_map.hpp"
 
 #include <oneapi/tbb/global_control.h>
 
@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/raw_cameras.hpp"
-#include "imaging/rectified_view.hpp"
+#include "engine/rectified_view.hpp"
 #include "support/gray_images.hpp"
 #include "tolman/image_cv.hpp"
 

@@ -5,9 +5,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "euroc_source.hpp"
-#include "imaging/pixel_map.hpp"
-#include "imaging/rectified_view.hpp"
-#include "imaging/stereo_check.hpp"
+#include "engine/pixel_map.hpp"
+#include "engine/rectified_view.hpp"
+#include "engine/stereo_check.hpp"
 #include "kitti_raw_source.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rectified cameras against the definition of rectification: rows and disparities of points.
-#include "imaging/rectified_view.hpp"
+#include "engine/rectified_view.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "imaging/lens.hpp"
-#include "imaging/pixel_map.hpp"
+#include "engine/lens.hpp"
+#include "engine/pixel_map.hpp"
 #include "imaging/raw_cameras.hpp"
 #include "support/gray_images.hpp"
 #include "tolman/context.hpp"

@@ -5,9 +5,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "feature_stereo.hpp"
-#include "imaging/pixel_map.hpp"
+#include "engine/pixel_map.hpp"
 #include "imaging/raw_cameras.hpp"
-#include "imaging/rectified_view.hpp"
+#include "engine/rectified_view.hpp"
 #include "support/data.hpp"
 #include "support/kitti_clip.hpp"
 #include "tolman/image_cv.hpp"

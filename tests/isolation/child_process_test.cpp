@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "isolation/child_process.hpp"
+#include "host/child_process.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-#include "isolation/process_mark.hpp"
+#include "host/process_mark.hpp"
 
 using namespace tolman::isolation;
 using std::chrono::milliseconds;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All arguments are decoded to the encoded values; damaged bytes are refused.
-#include "isolation/codec.hpp"
+#include "host/codec.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "isolation/context_message.hpp"
+#include "host/context_message.hpp"
 
 using namespace tolman;
 using namespace tolman::isolation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "isolation/opened_files.hpp"
+#include "host/opened_files.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plugins in a separate process: equal answers, and failures when the process ends.
-#include "isolation/remote_plugin.hpp"
+#include "host/remote_plugin.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "host/fixture_plugins.hpp"
 #include "host/stages.hpp"
-#include "isolation/remote_roles.hpp"
+#include "host/remote_roles.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"

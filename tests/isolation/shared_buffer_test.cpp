@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "isolation/shared_buffer.hpp"
+#include "host/shared_buffer.hpp"
 
 #include <unistd.h>
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "isolation/channel.hpp"
+#include "host/channel.hpp"
 
 using namespace tolman::isolation;
 using std::chrono::milliseconds;

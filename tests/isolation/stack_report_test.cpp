@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "isolation/stack_report.hpp"
+#include "host/stack_report.hpp"
 
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/bounded_queue.hpp"
+#include "engine/bounded_queue.hpp"
 
 #include <catch2/catch.hpp>
 #include <deque>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checkpoints: the states of all stages after one frame, without stopping the pipeline.
-#include "pipeline/checkpoint.hpp"
+#include "engine/checkpoint.hpp"
 
 #include <algorithm>
 

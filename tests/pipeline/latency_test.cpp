@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Percentiles against their definition, the clock of the exposure, and what a realtime run
 // measures.
-#include "pipeline/latency.hpp"
+#include "engine/latency.hpp"
 
 #include <catch2/catch.hpp>
 #include <thread>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which motions are possible, and the handling of others.
-#include "pipeline/motion_check.hpp"
+#include "engine/motion_check.hpp"
 
 #include "pipeline/toy_stages.hpp"
 

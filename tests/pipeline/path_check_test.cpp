@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/path_check.hpp"
+#include "engine/path_check.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A motion over frames at which odometry failed: their predicted motions do not count twice.
-#include "pipeline/predicted_span.hpp"
+#include "engine/predicted_span.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The source after rectification: cameras and images that the stages get.
-#include "pipeline/rectified_source.hpp"
+#include "engine/rectified_source.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lengths of two kinds in one map: metres, and the arbitrary units of a single camera.
-#include "pipeline/scale_check.hpp"
+#include "engine/scale_check.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A stage that waits for its own parallel loop executes no tasks of other stages.
-#include "pipeline/task_isolation.hpp"
+#include "engine/task_isolation.hpp"
 
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_group.h>

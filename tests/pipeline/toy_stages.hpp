@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "pipeline/drive.hpp"
+#include "engine/drive.hpp"
 #include "support/context.hpp"
 #include "tolman/plugin.hpp"
 

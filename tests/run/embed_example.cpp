@@ -2,7 +2,7 @@
 // A program that runs a configuration without the command line; docs/embed.md shows it.
 #include <cstdio>
 
-#include "run/run.hpp"
+#include "engine/run.hpp"
 
 int main(int, char** argv) {
   using namespace tolman::run;

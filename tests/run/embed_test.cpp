@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "end_to_end/tiny_kitti.hpp"
-#include "run/run.hpp"
+#include "engine/run.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/program_changes.hpp"
+#include "engine/program_changes.hpp"
 
 #include <catch2/catch.hpp>
 

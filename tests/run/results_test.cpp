@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Results are made of the rows that the run wrote.
-#include "run/results.hpp"
+#include "engine/results.hpp"
 
 #include <catch2/catch.hpp>
 

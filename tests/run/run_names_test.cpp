@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/run_names.hpp"
+#include "engine/run_names.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The services of a run: the log keeps every line, artefacts are kept until their folder exists.
-#include "run/services.hpp"
+#include "engine/services.hpp"
 
 #include <catch2/catch.hpp>
 #include <regex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/source_notes.hpp"
+#include "engine/source_notes.hpp"
 
 #include <catch2/catch.hpp>
 

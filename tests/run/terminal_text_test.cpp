@@ -2,7 +2,7 @@
 // Texts from files, plugins and names, made safe for a terminal.
 #include <catch2/catch.hpp>
 
-#include "run/terminal.hpp"
+#include "engine/terminal.hpp"
 
 using tolman::run::printable;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The watchdog, with a clock and resources of the test.
-#include "run/watchdog.hpp"
+#include "engine/watchdog.hpp"
 
 #include <sys/resource.h>
 

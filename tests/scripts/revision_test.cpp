@@ -31,8 +31,8 @@ struct BuiltSources {
   void build() const {
     const Finished finished =
         run({TOLMAN_CMAKE, "-DSOURCE=" + tree.string(), "-DOUTPUT=" + header.string(),
-             "-DINPUT=" + inSource("framework/run/build_info.hpp.in"), "-P",
-             inSource("framework/run/write_build_info.cmake")});
+             "-DINPUT=" + inSource("framework/engine/build_info.hpp.in"), "-P",
+             inSource("framework/engine/write_build_info.cmake")});
     INFO(finished.err);
     REQUIRE(finished.exit_code == 0);
   }

@@ -9,7 +9,7 @@
 #include "api_messages.hpp"
 #include "container.hpp"
 #include "query_value.hpp"
-#include "shortest_path.hpp"
+#include "base/shortest_path.hpp"
 
 namespace tolman::web_viewer {
 namespace {

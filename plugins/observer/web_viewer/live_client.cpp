@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 
 namespace tolman::web_viewer {
 namespace {

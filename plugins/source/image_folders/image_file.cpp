@@ -10,7 +10,7 @@
 
 #include "bytes.hpp"
 #include "jpeg_decoder.hpp"
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 #include "orientation.hpp"
 #include "png_chunks.hpp"
 

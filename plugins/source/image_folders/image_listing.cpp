@@ -12,7 +12,7 @@
 #include "image_name.hpp"
 #include "name_order.hpp"
 #include "name_series.hpp"
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;

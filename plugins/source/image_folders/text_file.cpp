@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "exact_decimal.hpp"
-#include "open_files.hpp"
-#include "text_encoding.hpp"
+#include "base/open_files.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;

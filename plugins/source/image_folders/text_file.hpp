@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "inspection.hpp"
-#include "number_text.hpp"
+#include "base/number_text.hpp"
 
 namespace tolman::image_folders {
 

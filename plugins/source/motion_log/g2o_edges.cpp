@@ -9,9 +9,9 @@
 #include <sstream>
 #include <string>
 
-#include "number_text.hpp"
-#include "open_files.hpp"
-#include "text_encoding.hpp"
+#include "base/number_text.hpp"
+#include "base/open_files.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::motion_log {
 namespace {

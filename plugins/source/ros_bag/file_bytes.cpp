@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "compression.hpp"
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 
 namespace tolman::ros_bag {
 namespace fs = std::filesystem;

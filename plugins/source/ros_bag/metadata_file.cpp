@@ -8,8 +8,8 @@
 #include <set>
 #include <system_error>
 
-#include "open_files.hpp"
-#include "text_encoding.hpp"
+#include "base/open_files.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::ros_bag {
 namespace fs = std::filesystem;

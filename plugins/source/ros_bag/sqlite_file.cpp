@@ -11,7 +11,7 @@
 
 #include "bag_problems.hpp"
 #include "compression.hpp"
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 
 namespace tolman::ros_bag {
 namespace {

@@ -9,10 +9,10 @@
 #include <optional>
 #include <variant>
 
-#include "number_text.hpp"
-#include "open_files.hpp"
+#include "base/number_text.hpp"
+#include "base/open_files.hpp"
 #include "route.hpp"
-#include "text_encoding.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::town {
 namespace fs = std::filesystem;

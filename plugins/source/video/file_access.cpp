@@ -10,7 +10,7 @@
 #include <string>
 #include <system_error>
 
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 
 namespace tolman::video {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "answers_decoder.hpp"
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 
 namespace tolman::answers_file {
 namespace {

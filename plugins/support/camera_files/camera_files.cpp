@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "calibration_cameras.hpp"
-#include "open_files.hpp"
+#include "base/open_files.hpp"
 #include "pair_check.hpp"
-#include "text_encoding.hpp"
+#include "base/text_encoding.hpp"
 
 namespace tolman::camera_files {
 namespace fs = std::filesystem;

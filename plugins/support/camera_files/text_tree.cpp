@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "number_text.hpp"
+#include "base/number_text.hpp"
 
 namespace tolman::camera_files {
 namespace {

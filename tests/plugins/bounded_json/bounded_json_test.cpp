@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // JSON as any parser reads it, but for texts that are nested too deeply.
-#include "bounded_json.hpp"
+#include "base/bounded_json.hpp"
 
 #include <catch2/catch.hpp>
 #include <sstream>

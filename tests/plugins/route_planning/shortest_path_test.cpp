@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shortest_path.hpp"
+#include "base/shortest_path.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_encoding.hpp"
+#include "base/text_encoding.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/kitti_folder.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+#include "app/png_encoder.hpp"
+#include "record/output_places.hpp"
+#include "record/pose_files.hpp"
+
+namespace tolman::dataset {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kImageFolders = {"image_0", "image_1", "image_2",
+                                                           "image_3", "depth_0"};
+constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
+
+/// Marks a folder as a rendering. It is written first, because --force replaces only marked
+/// folders.
+constexpr const char* kMark = ".tolman-rendering";
+constexpr const char* kMarkText =
+    "`tolman dataset render` wrote this folder; --force may replace it.\n";
+
+/// What a finished rendering has written: its second line of the mark, "frames: 5 image_0 image_1".
+struct WrittenImages {
+  std::int64_t frames = 0;
+  std::set<std::string> folders;
+};
+
+std::optional<WrittenImages> writtenImages(const fs::path& folder) {
+  std::ifstream mark(folder / kMark);
+  std::string line;
+  std::string word;
+  WrittenImages written;
+  if (!std::getline(mark, line) || !(mark >> word >> written.frames)) return std::nullopt;
+  while (mark >> word) written.folders.insert(word);
+  return written;
+}
+
+std::string imageName(std::int64_t index) { return fmt::format("{:06}.png", index); }
+
+/// Whether writeFrame() makes files of this name: digits and ".png", or its temporary name.
+bool isOurs(const fs::path& file) {
+  std::string name = file.filename().string();
+  const std::size_t partial = name.find(".partial");  // of writeAtomically()
+  if (name.starts_with('.') && partial != std::string::npos) name = name.substr(1, partial - 1);
+  return name.size() >= 10 && name.ends_with(".png") &&
+         name.find_first_not_of("0123456789") == name.size() - 4;
+}
+
+/// Whether the file is one of the first `frames` images.
+bool isAmong(std::int64_t frames, const fs::path& file) {
+  const std::string stem = file.stem().string();
+  std::int64_t index = -1;
+  std::from_chars(stem.data(), stem.data() + stem.size(), index);
+  return index >= 0 && index < frames && file.filename() == imageName(index);
+}
+
+bool hasNothingButMark(const fs::path& folder) {
+  std::error_code failure;
+  const fs::directory_iterator entries(folder, failure);
+  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().filename() == kMark;
+  });
+}
+
+/// Ok for an empty folder, and with `replace` for an earlier rendering.
+Status mayBeWritten(const fs::path& folder, bool replace) {
+  std::error_code failure;
+  if (hasNothingButMark(folder)) return Status::ok();
+  if (!replace) {
+    return Status::failed(folder.string() +
+                          ": is not empty; choose another --out, or give --force to replace an "
+                          "earlier rendering");
+  }
+  if (!fs::is_regular_file(folder / kMark, failure)) {
+    return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
+                          "), so --force does not replace it; choose another --out");
+  }
+  std::vector<fs::path> texts;
+  texts.reserve(kTextFiles.size());
+  for (const std::string_view name : kTextFiles) texts.push_back(folder / name);
+  const Status status = record::refuseFolders(texts, "--out");
+  return status.isOk() ? record::refuseLinks(folder, kImageFolders) : status;
+}
+
+/// Of an unfinished rendering it is not known which images it wrote: all that have such names.
+void removeEarlier(const fs::path& folder) {
+  std::error_code ignored;
+  const auto written = writtenImages(folder);
+  for (const char* name : kTextFiles) fs::remove(folder / name, ignored);
+  for (const std::string_view name : kImageFolders) {
+    if (written && !written->folders.contains(std::string(name))) continue;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
+      const bool is_ours = written ? isAmong(written->frames, entry.path()) : isOurs(entry.path());
+      if (is_ours) files.push_back(entry.path());
+    }
+    for (const fs::path& file : files) fs::remove(file, ignored);
+    fs::remove(folder / name, ignored);  // fails if other files are in it
+  }
+}
+
+std::string projectionText(const CameraRig& rig, double baseline_m) {
+  const Pinhole& K = rig.pinhole;
+  const std::array<double, 12> rows = {K.fx, 0, K.cx, -K.fx * baseline_m, 0, K.fy, K.cy, 0, 0,
+                                       0,    1, 0};
+  std::string text;
+  for (const double value : rows) text += " " + record::numberText(value);
+  return text;
+}
+
+const NamedArray* sensorOf(const Frame& frame, const std::string& name) {
+  const auto found = std::ranges::find(frame.sensors, name, &NamedArray::name);
+  return found == frame.sensors.end() ? nullptr : &*found;
+}
+
+Status firstFailure(std::initializer_list<Status> all) {
+  for (const Status& status : all) {
+    if (!status.isOk()) return status;
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+std::string calibrationText(const CameraRig& rig) {
+  std::string text;
+  for (const char camera : {'0', '1', '2', '3'}) {
+    const bool right = camera == '1' || camera == '3';
+    text += std::string("P") + camera + ":" + projectionText(rig, right ? rig.baseline : 0) + "\n";
+  }
+  return text;
+}
+
+std::string timesText(const std::vector<std::int64_t>& stamps_ns) {
+  std::string text;
+  for (const std::int64_t stamp_ns : stamps_ns) text += record::secondsText(stamp_ns) + "\n";
+  return text;
+}
+
+Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
+  if (Status status = record::refuseRunPlaces(folder, "--out"); !status.isOk()) return status;
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (!fs::is_directory(folder)) {
+    return Status::failed(folder.string() +
+                          ": is not a folder and cannot be made; choose another --out");
+  }
+  record::FileDescriptor lock = record::lockFolder(folder);
+  if (!lock.isOpen()) {
+    return Status::failed(folder.string() +
+                          ": another rendering or run is writing here; wait for its end, or choose "
+                          "another --out");
+  }
+  if (Status status = mayBeWritten(folder, replace); !status.isOk()) return status;
+  if (replace) removeEarlier(folder);
+  const Status marked = record::writeAtomically(folder / kMark, kMarkText);
+  if (!marked.isOk()) return marked;
+  return KittiFolder(folder, std::move(lock));
+}
+
+Status KittiFolder::writeImage(const char* name, std::int64_t index,
+                               const Result<std::string>& png) const {
+  if (!png.isOk()) return png.status();
+  {
+    const std::lock_guard lock(written_->mutex);
+    written_->folders.insert(name);
+  }
+  std::error_code failure;
+  fs::create_directory(folder_ / name, failure);
+  // Without sync: ten thousand syncs take minutes, and `tolman dataset check` finds an image that a
+  // power cut has damaged.
+  return record::writeAtomically(folder_ / name / imageName(index), png.value(), record::Sync::No);
+}
+
+Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
+                               const std::string& depth) const {
+  const bool colour = frame.left.format() == PixelFormat::Bgr8;
+  Status left;
+  Status right;
+  Status depths;
+  tbb::parallel_invoke(
+      [&] { left = writeImage(colour ? "image_2" : "image_0", index, encodePng(frame.left)); },
+      [&] {
+        if (frame.right.empty()) return;
+        right = writeImage(colour ? "image_3" : "image_1", index, encodePng(frame.right));
+      },
+      [&] {
+        const NamedArray* map = sensorOf(frame, depth);
+        if (map != nullptr) depths = writeImage("depth_0", index, encodeDepthPng(*map));
+      });
+  return firstFailure({left, right, depths});
+}
+
+Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
+                               const std::vector<Revisit>& revisits) const {
+  if (log.hasTruth()) {
+    const Result<std::string> text = record::kittiText(log.truth);
+    if (!text.isOk()) return text.status();
+    const Status status =
+        firstFailure({record::writeAtomically(folder_ / "poses.txt", text.value()),
+                      record::writeAtomically(folder_ / "loops.txt", loopsText(revisits))});
+    if (!status.isOk()) return status;
+  }
+  const Status calibration =
+      rig.calibrated ? record::writeAtomically(folder_ / "calib.txt", calibrationText(rig))
+                     : Status::ok();
+  std::string mark = kMarkText + fmt::format("frames: {}", log.stamps_ns.size());
+  for (const std::string& folder : written_->folders) mark += " " + folder;
+  return firstFailure({calibration, record::writeAtomically(folder_ / kMark, mark + "\n"),
+                       record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
+}
+
+}  // namespace tolman::dataset

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a data set in the layout of the KITTI odometry benchmark.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "evaluation/loop_truth.hpp"
+#include "record/atomic_file.hpp"
+#include "tolman/records.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::dataset {
+
+/// The data for times.txt, poses.txt and loops.txt; one entry per image.
+struct DriveLog {
+  std::vector<std::int64_t> stamps_ns;
+  evaluation::Trajectory truth;  ///< frames as in the folder; as long as stamps_ns, or incomplete
+
+  bool hasTruth() const { return !stamps_ns.empty() && truth.size() == stamps_ns.size(); }
+};
+
+/// P0 to P3; the right cameras have -fx * baseline.
+std::string calibrationText(const CameraRig& rig);
+/// Seconds, exact to the nanosecond, one line per image.
+std::string timesText(const std::vector<std::int64_t>& stamps_ns);
+
+/// A locked folder: while this object exists, no other rendering writes into it.
+class KittiFolder {
+ public:
+  /// Creates and locks the folder. Fails if another rendering writes there, or if it is not empty;
+  /// with `replace` the files of an earlier rendering are removed, but no other files.
+  static Result<KittiFolder> create(const std::filesystem::path& folder, bool replace);
+
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// Grey images go to image_0 and image_1, colour ones to image_2 and image_3, as in KITTI, and
+  /// the sensor array `depth` (empty: none) to depth_0. Each file is written atomically. Callable
+  /// from any thread.
+  Status writeFrame(std::int64_t index, const Frame& frame, const std::string& depth) const;
+
+  /// Writes calib.txt (not for cameras without calibration), times.txt, and with complete truth
+  /// poses.txt and loops.txt. To be called last: a folder without times.txt is not a data set yet.
+  Status writeTexts(const CameraRig& rig, const DriveLog& log,
+                    const std::vector<Revisit>& revisits) const;
+
+ private:
+  KittiFolder(std::filesystem::path folder, record::FileDescriptor lock)
+      : folder_(std::move(folder)), lock_(std::move(lock)) {}
+  Status writeImage(const char* name, std::int64_t index, const Result<std::string>& png) const;
+
+  struct Written {
+    std::mutex mutex;
+    std::set<std::string> folders;  ///< of images
+  };
+
+  std::filesystem::path folder_;
+  record::FileDescriptor lock_;
+  std::unique_ptr<Written> written_ = std::make_unique<Written>();
+};
+
+}  // namespace tolman::dataset

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of a run: plugin objects behind their guards, created and configured from a checked
+// system.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/stage_artefacts.hpp"
+#include "host/stages.hpp"
+#include "engine/chain.hpp"
+#include "engine/checked_system.hpp"
+#include "engine/services.hpp"
+
+namespace tolman::run {
+
+/// Holds the stages that are in the scope of the checked system.
+class Assembly {
+ public:
+  struct RunningObserver {
+    host::ObserverStage stage;
+    config::FailurePolicy policy;
+  };
+
+  /// Throws Failed.
+  Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
+           const Cancellation& cancellation);
+
+  /// From now on plugins can write artefacts into the run directory.
+  void openArtefacts(const std::filesystem::path& run_directory);
+  /// Destroys all stages in the reverse order of the flow; returns the exceptions of their
+  /// destructors.
+  std::vector<Status> teardown();
+
+  const CheckedSystem& system() const { return checked_; }
+  const SourceInfo& sourceInfo() const { return info_; }
+  /// Appends descriptions of the source's sensors and of the arrays of the cells.
+  Status describeArrays(std::vector<ArrayInfo>& arrays);
+  /// The name of a stage in the configuration; the name of the role if there is no such stage.
+  std::string stageName(Role role) const;
+  Failure failureOf(const pipeline::StageFailure& failure) const;
+  /// The failure policies of odometry, place, cells and map.
+  pipeline::Policies policies() const;
+  /// All stages from source to map, which must be in the scope.
+  pipeline::Stages stages() { return {*source_, *checked_odometry_, *place_, *cells_, *map_}; }
+  pipeline::CheckedOdometry& checkedOdometry() { return *checked_odometry_; }
+  pipeline::RectifiedSource& source() { return *source_; }
+  const pipeline::RectifiedSource& source() const { return *source_; }
+  host::OdometryStage& odometry() { return *odometry_; }
+  host::PlaceStage& place() { return *place_; }
+  host::CellsStage& cells() { return *cells_; }
+  host::MapStage& map() { return *map_; }
+  std::vector<RunningObserver>& observers() { return observers_; }
+  /// The instances of all stages, in the order of CheckedSystem::config.stages.
+  const std::vector<host::Instance*>& instances() const { return instances_; }
+
+ private:
+  /// The services that the Context of one stage refers to.
+  struct Services {
+    std::string instance;
+    StageLogger log;
+    host::StageArtefacts artefacts;
+  };
+
+  void add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage);
+  const config::StageConfig* stageOf(Role role) const;
+
+  CheckedSystem checked_;
+  SourceInfo info_;
+  std::vector<std::unique_ptr<Services>> services_;
+  std::vector<host::Instance*> instances_;
+  std::unique_ptr<pipeline::RectifiedSource> source_;
+  std::unique_ptr<host::OdometryStage> odometry_;
+  std::unique_ptr<pipeline::CheckedOdometry> checked_odometry_;
+  std::unique_ptr<host::PlaceStage> place_;
+  std::unique_ptr<host::CellsStage> cells_;
+  std::unique_ptr<host::MapStage> map_;
+  std::vector<RunningObserver> observers_;
+};
+
+}  // namespace tolman::run

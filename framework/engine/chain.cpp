@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/chain.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/brightness.hpp"
+#include "engine/task_isolation.hpp"
+
+namespace tolman::pipeline {
+namespace {
+
+// A graph below this size is published at every change; a larger one at most every n-th frame,
+// with n in proportion to its size.
+constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links; chosen, not tuned
+
+/// A record with default values, for this frame.
+template <Record R>
+R recordOf(const Frame& frame) {
+  R record;
+  record.frame = frame.frame;
+  record.stamp_ns = frame.stamp_ns;
+  return record;
+}
+
+/// Sources name depth images "depth", or "depth." and the camera.
+bool isDepth(const NamedArray& array) {
+  return array.name == "depth" || array.name.starts_with("depth.");
+}
+
+Views viewsOf(const Frame& frame) {
+  if (frame.left.empty()) return Views::None;
+  if (!frame.right.empty()) return Views::Pair;
+  return std::ranges::any_of(frame.sensors, isDepth) ? Views::Depth : Views::Single;
+}
+
+}  // namespace
+
+bool Chain::failed() const {
+  const std::lock_guard lock(failure_mutex_);
+  return failure_.has_value();
+}
+
+void Chain::failBy(Role role, const Status& status) {
+  listener_.onEvent({-1, LogLevel::Error, std::string(enumName(role)), status.message()});
+  fail(role, status);
+}
+
+void Chain::fail(Role role, const Status& status) {
+  const std::lock_guard lock(failure_mutex_);
+  if (!failure_) failure_ = {role, status};
+}
+
+void Chain::failInput(const Status& status) {
+  listener_.onEvent({-1, LogLevel::Error, "source", status.message()});
+  const std::lock_guard lock(failure_mutex_);
+  input_failure_ = status;
+}
+
+std::optional<StageFailure> Chain::failure() const {
+  const std::lock_guard lock(failure_mutex_);
+  if (failure_ || !input_failure_) return failure_;
+  return StageFailure{Role::Source, *input_failure_};
+}
+
+bool Chain::applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
+                        Role role) {
+  if (status.isOk()) return true;
+  const std::string name(enumName(role));
+  if (policy == config::FailurePolicy::Stop) {
+    listener_.onEvent({frame, LogLevel::Error, name, status.message()});
+    fail(role, status);
+    return false;
+  }
+  if (frame >= 0 && std::exchange(last_skipped_frame_, frame) != frame) ++counters_.skipped;
+  const FailureTally::Report report = failures_.count(name);
+  if (report == FailureTally::Report::No) return true;
+  const char* last =
+      report == FailureTally::Report::Last ? "; further ones are counted, not reported" : "";
+  listener_.onEvent(
+      {frame, LogLevel::Warning, name,
+       status.message() + (frame < 0 ? "; the run continues" : "; frame skipped") + last});
+  return true;
+}
+
+void Chain::admit(FrameRecords& records) {
+  records.sequence = admitted_++;
+  ++place_backlog_;
+  if (const auto fault = stages_.odometry.admit(records.frame)) {
+    listener_.onEvent({records.frame.frame, LogLevel::Warning, "images", *fault});
+  }
+  if (can_save_ && listener_.checkpointDue()) records.checkpoint = std::make_unique<Checkpoint>();
+}
+
+void Chain::odometry(FrameRecords& records) {
+  if (failed()) return;
+  records.odometry_status = timed(records.times, Role::Odometry, [&] {
+    return withoutOtherTasks(
+        [&] { return stages_.odometry.track(records.frame, records.motion, records.impossible); });
+  });
+}
+
+void Chain::place(FrameRecords& records) {
+  --place_backlog_;
+  if (failed()) return;
+  records.place = recordOf<PlaceObservation>(records.frame);
+  if (!records.leave_out_place) {
+    const Motion* motion = place_needs_motion_ ? &records.motion : nullptr;
+    records.place_status = timed(records.times, Role::Place, [&] {
+      return withoutOtherTasks(
+          [&] { return stages_.place.observe(records.frame, motion, records.place); });
+    });
+  }
+  save(Role::Place, stages_.place.instance(), records);
+}
+
+bool Chain::acceptMotion(FrameRecords& records) {
+  const Status& status = records.odometry_status;
+  if (!applyPolicy(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
+  if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
+  if (const std::string& reason = records.impossible.motion; !reason.empty()) {
+    reportImpossible(records.frame.frame, "the motion " + reason + "; it is predicted instead");
+  }
+  if (const std::string& which = records.impossible.revision; !which.empty()) {
+    reportImpossible(records.frame.frame, "the revision " + which + "; it is left out");
+  }
+  if (!acceptScale(records.motion)) return false;
+  last_motion_ = records.motion;
+  return true;
+}
+
+/// Lengths of another kind than those of the earlier session end the run, whatever the policy of
+/// odometry: its map would have two units. Within a run they are told.
+bool Chain::acceptScale(const Motion& motion) {
+  const auto change = scale_check_.check(motion);
+  if (!change) return true;
+  if (change->ends_run) {
+    listener_.onEvent({motion.frame, LogLevel::Error, "odometry", change->text});
+    const std::lock_guard lock(failure_mutex_);
+    if (!failure_) failure_ = {Role::Odometry, Status::failed(change->text), true};
+    return false;
+  }
+  const FailureTally::Report report = failures_.count("changes of the scale");
+  if (report == FailureTally::Report::No) return true;
+  const char* last = report == FailureTally::Report::Last ? "; further ones are not reported" : "";
+  listener_.onEvent({motion.frame, LogLevel::Warning, "odometry", change->text + last});
+  return true;
+}
+
+void Chain::reportImpossible(std::int64_t frame, const std::string& text) {
+  ++counters_.impossible;
+  const FailureTally::Report report = failures_.count("impossible motions");
+  if (report == FailureTally::Report::No) return;
+  const char* last =
+      report == FailureTally::Report::Last ? "; further ones are counted, not reported" : "";
+  listener_.onEvent({frame, LogLevel::Warning, "odometry", text + last});
+}
+
+bool Chain::acceptObservation(FrameRecords& records) {
+  const Status& status = records.place_status;
+  if (!applyPolicy(status, policies_.place, records.frame.frame, Role::Place)) return false;
+  if (status.isOk()) return true;
+  records.place = recordOf<PlaceObservation>(records.frame);
+  return true;
+}
+
+bool Chain::runCells(FrameRecords& records) {
+  Status arrays;
+  const Status status = timed(records.times, Role::Cells, [&] {
+    Status stepped = stages_.cells.step(records.motion, records.place, records.decision);
+    if (stepped.isOk()) {
+      arrays = stages_.cells.instance().arrays(records.frame.frame, records.cells);
+    }
+    return stepped;
+  });
+  if (!applyPolicy(status, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  // With skip or restart the decision is kept if the arrays cannot be read.
+  if (!applyPolicy(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  if (!arrays.isOk()) records.cells.clear();
+  if (!status.isOk()) {
+    records.decision = recordOf<Decision>(records.frame);
+    records.decision.experience = last_decision_.experience;
+    records.decision.heading = last_decision_.heading;
+  }
+  last_decision_ = records.decision;
+  return true;
+}
+
+bool Chain::runMap(FrameRecords& records) {
+  const Status status = timed(records.times, Role::Map, [&] {
+    return stages_.map.update(records.motion, records.decision, records.map);
+  });
+  if (!applyPolicy(status, policies_.map, records.frame.frame, Role::Map)) return false;
+  if (!status.isOk()) {  // the last experience, and the last pose moved by the motion
+    const Eigen::Isometry3d& step = records.motion.T_previous_current;
+    records.map = last_map_;
+    records.map.frame = records.frame.frame;
+    records.map.stamp_ns = records.frame.stamp_ns;
+    records.map.T_experience_camera = last_map_.T_experience_camera * step;
+    records.map.T_world_camera = last_map_.T_world_camera * step;
+  } else {
+    ++mapped_;
+    path_check_.add(records.motion);
+  }
+  publishGraph(records);
+  last_map_ = records.map;
+  return true;
+}
+
+/// Copying, checking and storing a graph costs time in proportion to its size, and an odometry that
+/// revises its last motions changes the map at every frame. Publishing at intervals in proportion
+/// to the size bounds the cost per frame for runs of any length. A delayed change is published
+/// later, at the latest by finish().
+void Chain::publishGraph(FrameRecords& records) {
+  const MapUpdate& now = records.map;
+  graph_has_changed_ = graph_has_changed_ || now.version != last_map_.version ||
+                       now.experiences != last_map_.experiences || now.links != last_map_.links;
+  if (!graph_has_changed_ || now.frame < next_graph_frame_) return;
+  graph_has_changed_ = false;
+  const Status status = stages_.map.graph(records.graph);
+  records.graph_changed = applyPolicy(status, policies_.map, now.frame, Role::Map) && status.isOk();
+  if (records.graph_changed) countGraph(records.graph);
+  const std::size_t size = records.graph.experiences.size() + records.graph.links.size();
+  next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(size / kGraphSizePerFrame);
+}
+
+void Chain::runCellsAndMap(FrameRecords& records) {
+  if (failed()) return;
+  records.answered = acceptMotion(records) && acceptObservation(records) && runCells(records) &&
+                     runMap(records) && !failed();
+  if (!records.answered) {
+    unanswered_ = records.frame.frame;
+    return;
+  }
+  records.posed = std::chrono::steady_clock::now();
+  count(records);
+  saveCellsAndMap(records);
+}
+
+/// Each stage is saved directly after it has processed the frame, so that the flow need not stop.
+void Chain::save(Role role, host::Instance& instance, FrameRecords& records) {
+  if (!records.checkpoint) return;
+  Result<std::string> state = instance.save();
+  if (state.isOk()) {
+    records.checkpoint->states[role] = std::move(state).value();
+    return;
+  }
+  records.checkpoint.reset();
+  if (!can_save_.exchange(false)) return;  // warns once; other frames may be in the flow
+  listener_.onEvent({records.frame.frame, LogLevel::Warning, std::string(enumName(role)),
+                     "this run saves no further checkpoints: " + state.status().message()});
+}
+
+void Chain::saveCellsAndMap(FrameRecords& records) {
+  save(Role::Cells, stages_.cells.instance(), records);
+  save(Role::Map, stages_.map.instance(), records);
+  if (!records.checkpoint) return;
+  records.checkpoint->frame = records.frame.frame;
+  records.checkpoint->counters = counters_;
+}
+
+void Chain::saveNow() {
+  if (failed() || !can_save_ || last_map_.frame < 0) return;
+  FrameRecords records;
+  records.frame.frame = last_map_.frame;
+  records.checkpoint = std::make_unique<Checkpoint>();
+  save(Role::Place, stages_.place.instance(), records);
+  saveCellsAndMap(records);
+  if (!records.checkpoint) return;
+  const Status status = listener_.onCheckpoint(*records.checkpoint);
+  if (!status.isOk()) fail(Role::Observer, status);
+}
+
+void Chain::resume(const ResumePoint& point) {
+  counters_ = point.checkpoint.counters;
+  last_motion_ = point.motion;
+  last_decision_ = point.decision;
+  last_map_ = point.map;
+  if (point.scale) scale_check_.startFrom(*point.scale);
+}
+
+void Chain::count(const FrameRecords& records) {
+  ++counters_.frames;
+  if (records.frame.defect.empty()) {
+    counters_.views = viewsOf(records.frame);
+  } else {  // its images may have been taken away
+    ++counters_.defects;
+  }
+  const bool lost = records.motion.state == TrackingState::Lost;
+  if (lost) ++counters_.lost;
+  if (records.motion.state == TrackingState::Initialising) ++counters_.initialising;
+  const bool tracking = records.motion.state == TrackingState::Tracking;
+  if (!tracking && imaging::isNearlyBlack(records.frame.left)) ++counters_.nearly_black;
+  const auto& motion = records.motion.T_previous_current.matrix();
+  if (tracking && motion == Eigen::Matrix4d::Identity()) ++counters_.unmoved;
+  if (lost != counters_.lost_at_end) {
+    listener_.onEvent({records.frame.frame, lost ? LogLevel::Warning : LogLevel::Info, "odometry",
+                       lost ? "tracking lost; motion is predicted" : "tracking recovered"});
+  }
+  counters_.lost_at_end = lost;
+  if (records.leave_out_place) ++counters_.place_left_out;
+  counters_.templates = std::max(counters_.templates, records.place.template_id + 1);
+  if (records.decision.action == Action::CloseLoop) ++counters_.loop_decisions;
+}
+
+void Chain::countGraph(const MapGraph& graph) {
+  counters_.experiences = static_cast<std::int64_t>(graph.experiences.size());
+  counters_.links = counters_.loop_links = 0;
+  for (const Link& link : graph.links) {
+    if (graph.isRejected(link)) continue;
+    ++counters_.links;
+    if (link.kind == LinkKind::Loop) ++counters_.loop_links;
+  }
+}
+
+void Chain::publish(const FrameRecords& records) {
+  // Publishes also after a failure of the listener: the map has processed the frames that were in
+  // the flow, and its graph and trajectory contain them.
+  if (!records.answered) return;
+  Status status = listener_.onFrame(records.snapshot());
+  if (status.isOk() && records.checkpoint) status = listener_.onCheckpoint(*records.checkpoint);
+  if (!status.isOk()) fail(Role::Observer, status);
+}
+
+Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
+  for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
+    FramePose pose{frame, Eigen::Isometry3d::Identity()};
+    const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
+    if (status.isOk()) poses.push_back(pose);
+    const bool is_unknown = status.code() == StatusCode::InvalidParameter;  // dropped, for example
+    if (!status.isOk() && !(is_unknown && frame < last_map_.frame)) return status;
+  }
+  if (poses.size() >= mapped_) return Status::ok();
+  return Status::failed("poseOf() has no pose for " + std::to_string(mapped_ - poses.size()) +
+                        " frames that update() accepted; the trajectories lack them");
+}
+
+/// The poses are read from the map again, because a map that rejects a loop link also moves the
+/// frames that were attached to an experience by it.
+void Chain::publishTrajectory(std::vector<FramePose>& poses) {
+  (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
+  if (const auto problem = path_check_.contradiction(poses)) {
+    listener_.onEvent({-1, LogLevel::Warning, "map", *problem});
+  }
+  const Status published = listener_.onTrajectory(poses);
+  if (!published.isOk()) fail(Role::Observer, published);
+}
+
+Status Chain::finalGraph(const std::vector<FramePose>& poses, MapGraph& graph) {
+  const Status status = stages_.map.graph(graph);
+  if (!status.isOk()) return status;
+  return stages_.map.checkExperiences(graph, [&](std::int64_t frame) -> const Eigen::Isometry3d* {
+    const auto found = std::ranges::lower_bound(poses, frame, {}, &FramePose::frame);
+    return found == poses.end() || found->frame != frame ? nullptr : &found->T_world_camera;
+  });
+}
+
+void Chain::completeCounters() {
+  // An odometry that is Initialising again at the end, after it has tracked, counts as lost.
+  const bool starting = last_motion_.state == TrackingState::Initialising;
+  if (starting && counters_.tracked() > 0) counters_.lost_at_end = true;
+  if (counters_.dropped > 0) {
+    listener_.onEvent(
+        {-1, LogLevel::Warning, "pipeline",
+         "frames were dropped: the .kitti files repeat the pose before them, the .tum "
+         "files leave them out"});
+  }
+  if (failed()) return;  // that is why there was no motion, or no more of it
+  if (const std::string_view cause = counters_.endText(); !cause.empty()) {
+    listener_.onEvent({-1, LogLevel::Warning, "odometry", std::string(cause)});
+  }
+}
+
+std::vector<MotionRevision> Chain::finishStages() {
+  std::vector<MotionRevision> revisions;
+  Impossible impossible;
+  finishing(Role::Odometry, policies_.odometry,
+            [&] { return stages_.odometry.finish(revisions, impossible); });
+  if (!impossible.revision.empty()) {
+    reportImpossible(-1, "the revision " + impossible.revision + "; it is left out");
+  }
+  finishing(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
+  finishing(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
+  std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
+  finishing(Role::Map, policies_.map, [&] { return stages_.map.checkLastPose(); });
+  finishing(Role::Map, policies_.map, [&] { return stages_.map.finish(revisions); });
+  return revisions;
+}
+
+void Chain::finish() {
+  const bool had_failed = failed();
+  if (unanswered_ >= 0) stages_.map.forgetFrom(unanswered_);
+  completeCounters();
+  const std::vector<MotionRevision> revisions = finishStages();
+  std::vector<FramePose> poses;
+  publishTrajectory(poses);
+  MapGraph graph;
+  const auto read_graph = [&] { return finalGraph(poses, graph); };
+  // After a failure the graph may name a frame without a record. This is not a further failure.
+  if (had_failed ? timed(finish_times_ns_, Role::Map, read_graph).isOk()
+                 : finishing(Role::Map, policies_.map, read_graph)) {
+    countGraph(graph);
+  } else {
+    if (policies_.map == config::FailurePolicy::Stop) return;
+    graph = MapGraph();  // the record keeps the graph that was published last
+  }
+  const Status published = listener_.onFinish(revisions, graph);
+  if (!published.isOk()) fail(Role::Observer, published);
+}
+
+}  // namespace tolman::pipeline

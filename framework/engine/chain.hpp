@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of a run in the order of the flow, and what happens when one of them fails.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+#include "config/settings.hpp"
+#include "host/guard.hpp"
+#include "host/stages.hpp"
+#include "engine/checked_odometry.hpp"
+#include "engine/failure_tally.hpp"
+#include "engine/frame_records.hpp"
+#include "engine/listener.hpp"
+#include "engine/path_check.hpp"
+#include "engine/rectified_source.hpp"
+#include "engine/run_counters.hpp"
+#include "engine/scale_check.hpp"
+#include "engine/stage_activity.hpp"
+
+namespace tolman::pipeline {
+
+struct Policies {
+  config::FailurePolicy odometry = config::FailurePolicy::Stop;
+  config::FailurePolicy place = config::FailurePolicy::Stop;
+  config::FailurePolicy cells = config::FailurePolicy::Stop;
+  config::FailurePolicy map = config::FailurePolicy::Stop;
+};
+
+struct Stages {
+  RectifiedSource& source;
+  CheckedOdometry& odometry;
+  host::PlaceStage& place;
+  host::CellsStage& cells;
+  host::MapStage& map;
+};
+
+/// The failure that stopped a run.
+struct StageFailure {
+  Role role = Role::Source;  ///< Observer: the listener, i.e. recorder or observers
+  Status status;
+  bool other_scale = false;  ///< the map of the earlier session has lengths of another kind
+};
+
+/// Calls the stages for each frame and counts their answers. odometry() and place() may run at the
+/// same time, also for different frames; each function must be called for one frame at a time, in
+/// the order of frames.
+class Chain {
+ public:
+  /// The stages must be configured already.
+  Chain(const Stages& stages, const Policies& policies, Listener& listener)
+      : stages_(stages),
+        policies_(policies),
+        listener_(listener),
+        place_needs_motion_(stages.place.input() == PlaceInput::FrameAndMotion),
+        can_save_(stages.place.instance().state() && stages.cells.instance().state() &&
+                  stages.map.instance().state()) {}
+
+  void odometry(FrameRecords& records);
+  void place(FrameRecords& records);
+  /// After a failure, later frames are not processed and get no answers.
+  void runCellsAndMap(FrameRecords& records);
+  /// Passes the answers to the listener. Frames that the map processed before a failure are passed
+  /// on as well, even if the listener itself has failed.
+  void publish(const FrameRecords& records);
+  /// Finishes odometry, place, cells and map, then passes the final trajectory and graph to the
+  /// listener.
+  void finish();
+
+  /// Passes the state after the last processed frame to the listener. Does nothing after a failure,
+  /// or if place, cells and map cannot all save their state. No stage may be working on a frame.
+  void saveNow();
+  /// Continues after a checkpoint; call it before the first frame is admitted. The stages must have
+  /// the state of the checkpoint.
+  void resume(const ResumePoint& point);
+  /// The map of an earlier session is continued; call it before the first frame is admitted.
+  void continueMap(MapScale scale) { scale_check_.startFrom(std::move(scale)); }
+
+  /// Whether a stage or the listener failed; no later frame is answered.
+  bool failed() const;
+  void fail(Role role, const Status& status);
+  /// Calls `work` of a node of the flow. Its exception, such as of memory that is short, is a
+  /// failure of `role`, so that the frames in the flow still reach its end.
+  template <class Work>
+  void guarded(Role role, Work&& work) {
+    const Status status = host::contained([&] {
+      work();
+      return Status::ok();
+    });
+    if (!status.isOk()) failBy(role, status);
+  }
+  /// Reports a failure of the source. Frames that it gave before are still processed.
+  void failInput(const Status& status);
+  /// The failure that stopped the run: of a stage, else of the source; none if there is none.
+  std::optional<StageFailure> failure() const;
+  /// Whether place recognition must run after odometry.
+  bool placeNeedsMotion() const { return place_needs_motion_; }
+  /// Numbers and checks a frame that enters the stages; one call at a time.
+  void admit(FrameRecords& records);
+  /// Number of admitted frames that wait for place recognition.
+  int placeBacklog() const { return place_backlog_; }
+  /// Time that finish() of each stage took.
+  const StageTimes& finishTimes() const { return finish_times_ns_; }
+  /// The stages that are being called at this moment, the source and finish() included.
+  StageActivity& stageActivity() { return activity_; }
+  const RunCounters& counters() const { return counters_; }
+  RunCounters& counters() { return counters_; }
+  Stages& stages() { return stages_; }
+  Listener& listener() { return listener_; }
+
+ private:
+  void failBy(Role role, const Status& status);
+  /// Whether the run continues after an answer with this status (`on_failure` of the stage).
+  bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
+                   Role role);
+  bool acceptMotion(FrameRecords& records);
+  bool acceptScale(const Motion& motion);
+  void reportImpossible(std::int64_t frame, const std::string& text);
+  bool acceptObservation(FrameRecords& records);
+  bool runCells(FrameRecords& records);
+  bool runMap(FrameRecords& records);
+  void publishGraph(FrameRecords& records);
+  void count(const FrameRecords& records);
+  void countGraph(const MapGraph& graph);
+  /// Calls finish() of odometry, place, cells and map. Returns the revisions of odometry.
+  std::vector<MotionRevision> finishStages();
+  /// Calls `work` of finish(), adds its time, and applies the policy of the role. False on failure.
+  template <class Work>
+  bool finishing(Role role, config::FailurePolicy policy, const Work& work) {
+    const Status status = timed(finish_times_ns_, role, work);
+    (void)applyPolicy(status, policy, -1, role);
+    return status.isOk();
+  }
+  /// Completes the counters; reports dropped frames, and a run without motion.
+  void completeCounters();
+  Status readTrajectory(std::vector<FramePose>& poses) const;
+  /// Reads the final poses into `poses` and passes them to the listener.
+  void publishTrajectory(std::vector<FramePose>& poses);
+  /// The final graph, checked against the final poses.
+  Status finalGraph(const std::vector<FramePose>& poses, MapGraph& graph);
+  /// Calls `work`, marks the role as active during the call, and adds its time to `times`.
+  template <class Work>
+  Status timed(StageTimes& times, Role role, const Work& work) {
+    const StageTimer timer(times, role);
+    const StageActivity::Mark mark(activity_, role);
+    return work();
+  }
+  void save(Role role, host::Instance& instance, FrameRecords& records);
+  void saveCellsAndMap(FrameRecords& records);
+
+  Stages stages_;
+  Policies policies_;
+  Listener& listener_;
+  bool place_needs_motion_;
+  std::atomic<bool> can_save_;  // false also after a stage has failed to save its state
+  RunCounters counters_;
+  StageActivity activity_;
+  StageTimes finish_times_ns_{};
+  std::int64_t unanswered_ = -1;  ///< first frame without answers, because a stage failed; -1: none
+  std::optional<StageFailure> failure_;
+  std::optional<Status> input_failure_;
+  FailureTally failures_;  // by role
+  ScaleCheck scale_check_;
+  PathCheck path_check_;
+  std::int64_t last_skipped_frame_ = -1;
+  mutable std::mutex failure_mutex_;
+  Motion last_motion_;
+  Decision last_decision_;
+  MapUpdate last_map_;
+  bool graph_has_changed_ = true;      // since it was last published
+  std::int64_t next_graph_frame_ = 0;  // the graph is not published before this frame
+  std::size_t mapped_ = 0;             // number of frames that the map has processed
+  std::size_t admitted_ = 0;
+  std::atomic<int> place_backlog_ = 0;
+};
+
+}  // namespace tolman::pipeline

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/checked_system.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "config/loader.hpp"
+#include "config/problem.hpp"
+
+namespace tolman::run {
+namespace {
+
+using Kind = config::Problem::Kind;
+
+constexpr std::array<std::string_view, 4> kChain = {"odometry", "place", "cells", "map"};
+
+/// Removes the stages that are outside the scope from the configuration.
+void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
+  if (scope == Scope::All) return;
+  loaded.tree.erase("observers");
+  if (scope == Scope::WithoutObservers) return;
+  std::vector<std::string_view> needed = {"source"};
+  if (scope == Scope::SourceAndOdometry) needed.emplace_back("odometry");
+  if (scope == Scope::SourceAndPlace) needed.emplace_back("place");
+  for (const std::string_view stage : kChain) {
+    if (stage != needed.back()) loaded.tree.erase(stage);
+  }
+  for (const std::string_view stage : needed) {
+    if (!loaded.complete || loaded.tree.find(stage) != nullptr) continue;
+    problems.push_back({loaded.tree.origin, std::string(stage),
+                        "the stage is missing; add '" + std::string(stage) +
+                            ": {plugin: ...}' ('tolman plugins list' shows the plugins)"});
+  }
+  loaded.complete = false;  // the other stages may be missing
+}
+
+/// Appends observers by the ids of their plugins, unless the configuration names them already.
+void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugins) {
+  for (const std::string& plugin : plugins) {
+    config::Node* list = loaded.tree.find("observers");
+    const config::Origin origin{config::Origin::Kind::CommandLine, "--view", 0, 0, {}};
+    const auto child = [&](config::Node& parent, config::Node::Kind kind, const std::string& key) {
+      return &parent.children.emplace_back(config::Node{kind, key, origin, origin});
+    };
+    if (list == nullptr) list = child(loaded.tree, config::Node::Kind::Sequence, "observers");
+    if (list->kind == config::Node::Kind::Null) list->kind = config::Node::Kind::Sequence;
+    if (!list->isSequence()) continue;  // parsing reports the problem
+    const bool named = std::ranges::any_of(list->children, [&](const config::Node& stage) {
+      const config::Node* id = stage.find("plugin");
+      return id != nullptr && id->text == plugin;
+    });
+    if (named) continue;
+    config::Node* stage =
+        child(*list, config::Node::Kind::Map, std::to_string(list->children.size()));
+    child(*stage, config::Node::Kind::Scalar, "plugin")->text = plugin;
+  }
+}
+
+struct Opened {
+  host::LoadedPlugin plugin;
+  std::shared_ptr<isolation::RemotePlugin> remote;
+};
+
+/// The program that the key `file` names, as a plugin. Throws Failed.
+host::Manifest programOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
+                         const config::SystemConfig& config) {
+  const Schema schema = config::programSchema();
+  config::Node own = stage.given;
+  std::erase_if(own.children, [&](const auto& child) { return child.key != schema[0].name; });
+  config::Problems problems;
+  const auto values = config::check(own, schema, {stage.path, "plugin " + stage.plugin, {}},
+                                    config.folders, problems);
+  if (!problems.empty())
+    throw Failed(
+        {FailureKind::Configuration, "'" + schema[0].name + "' " + problems.front().message, {}});
+  return require(catalogue.program(std::get<std::string>(values.at(schema[0].name))));
+}
+
+/// Refuses a program of another role: its role is known only when it is open. Throws Failed.
+void requireRole(const host::Manifest& manifest, Role role) {
+  if (manifest.role == role) return;
+  require(host::OrRefusal<bool>(host::Refusal{
+      "plugin/wrong-role",
+      manifest.program.string() + " has the role " + std::string(enumName(manifest.role)) +
+          ", not " + std::string(enumName(role)),
+      "derive its class from the class of the stage's role"}));
+}
+
+/// Opens a plugin in a process of its own. Throws Failed.
+Opened openApart(const host::Manifest& manifest, Role role, const config::SystemConfig& config,
+                 const SystemOptions& options) {
+  const isolation::LaunchOptions launch{options.stage_program, config.isolation.deadline,
+                                        static_cast<std::uint64_t>(config.isolation.memory_limit),
+                                        config.general.threads};
+  auto remote = require(isolation::RemotePlugin::start(manifest, launch));
+  requireRole(remote->manifest(), role);
+  Schema schema = manifest.program.empty() ? Schema() : config::programSchema();
+  schema.insert(schema.end(), remote->schema().begin(), remote->schema().end());
+  return {{remote->manifest(), nullptr, std::move(schema)}, remote};
+}
+
+/// Opens the plugin of a stage. Throws Failed.
+Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
+            const config::SystemConfig& config, const SystemOptions& options) {
+  const auto manifest = manifestOf(catalogue, stage, config);
+  if (options.apart || !manifest.program.empty() || stage.isolation != config::Isolation::None) {
+    return openApart(manifest, stage.role, config, options);
+  }
+  return {require(host::loadPlugin(manifest, host::HostIdentity::ofThisBuild())), nullptr};
+}
+
+/// Enables restarts of a remote plugin. Creates its object, because only the object shows whether
+/// the plugin saves its state.
+void prepareRestart(const config::StageConfig& stage, isolation::RemotePlugin& remote,
+                    config::Problems& problems) {
+  const config::Origin origin = stage.given.find("on_failure")->origin;
+  if (const auto refusal = remote.create()) {
+    problems.push_back({origin, stage.path + ".plugin", refusal->text(), Kind::Plugin});
+  } else if (!remote.enableRestart()) {
+    problems.push_back(
+        {origin, stage.path + ".on_failure",
+         "plugin '" + stage.plugin +
+             "' cannot be restarted in a new process (a source never can; place, cells and map "
+             "plugins must save their state); use 'skip' or 'stop'"});
+  }
+}
+
+/// Whether there is a Bool parameter with this name.
+bool declares(const Schema& schema, std::string_view name) {
+  return std::ranges::any_of(schema, [&](const ParameterInfo& p) {
+    return p.name == name && p.type == ParameterType::Bool;
+  });
+}
+
+}  // namespace
+
+host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
+  std::error_code ignored;
+  const auto executable = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return host::Catalogue(
+      host::searchPath(plugin_paths, std::getenv("TOLMAN_PLUGIN_PATH"), executable));
+}
+
+host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role) {
+  return require(
+      host::loadPlugin(require(catalogue.find(id, role)), host::HostIdentity::ofThisBuild()));
+}
+
+host::Manifest manifestOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
+                          const config::SystemConfig& config) {
+  if (catalogue.interpreter(stage.plugin) != nullptr) return programOf(catalogue, stage, config);
+  return require(catalogue.find(stage.plugin, stage.role));
+}
+
+host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
+                                const config::SystemConfig& config) {
+  if (!manifest.program.empty()) return openApart(manifest, role, config, {}).plugin;
+  return require(host::loadPlugin(manifest, host::HostIdentity::ofThisBuild()));
+}
+
+bool hasChain(const SystemOptions& options) {
+  const config::Loaded loaded = config::load(options.config, options.overrides,
+                                             config::processEnvironment(), options.find_shipped);
+  return std::any_of(kChain.begin(), kChain.end(),
+                     [&](std::string_view stage) { return loaded.tree.find(stage) != nullptr; });
+}
+
+std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, Scope scope) {
+  config::Loaded loaded = config::load(options.config, options.overrides,
+                                       config::processEnvironment(), options.find_shipped);
+  config::Problems problems = loaded.problems;
+  addObservers(loaded, options.observers);
+  confine(loaded, scope, problems);
+  CheckedSystem checked;
+  checked.config = config::parse(loaded, problems);
+  const host::Catalogue catalogue = openCatalogue(options.plugin_paths);
+  for (const config::StageConfig& stage : checked.config.stages) {
+    if (stage.plugin.empty()) continue;  // already a problem
+    Opened opened;
+    try {
+      opened = open(catalogue, stage, checked.config, options);
+    } catch (const Failed& refused) {
+      if (refused.failure.kind == FailureKind::Machine) return refused.failure;
+      problems.push_back(
+          {stage.pluginOrigin(), stage.path + ".plugin", refused.what(), Kind::Plugin});
+      continue;
+    }
+    ParameterValues& values = checked.values[stage.instance];
+    values = config::check(stage, opened.plugin.schema, checked.config.folders, problems);
+    if (options.quiet && stage.role == Role::Observer && declares(opened.plugin.schema, "quiet")) {
+      values["quiet"] = true;
+    }
+    if (opened.remote && stage.on_failure == config::FailurePolicy::Restart) {
+      prepareRestart(stage, *opened.remote, problems);
+    }
+    checked.plugins.push_back(std::move(opened.plugin));
+    checked.remotes.push_back(std::move(opened.remote));
+  }
+  if (problems.empty()) return checked;
+  const bool only_plugins = std::ranges::all_of(
+      problems, [](const config::Problem& p) { return p.kind == Kind::Plugin; });
+  return Failure{only_plugins ? FailureKind::Plugin : FailureKind::Configuration,
+                 config::format(problems)};
+}
+
+}  // namespace tolman::run

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/rectified_source.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+
+#include "host/frame_images.hpp"
+#include "engine/baseline_check.hpp"
+#include "engine/camera_check.hpp"
+#include "engine/pixel_check.hpp"
+#include "engine/rectified_view.hpp"
+#include "engine/task_isolation.hpp"
+
+namespace tolman::pipeline {
+
+Status RectifiedSource::info(SourceInfo& info) {
+  Status status = SourceStage::info(info);
+  is_endless_ = status.isOk() && info.frames < 0;
+  if (status.isOk()) status = instance().rawRig(raw_);
+  given_ = info.rig;
+  if (status.isOk() && !raw_.cameras.empty()) status = prepare(info.rig);
+  if (status.isOk()) status = prepareCut(info.rig);
+  for (const std::string& text : {text_, cutText()}) {
+    if (status.isOk() && !text.empty()) info.description += "; " + text;
+  }
+  return status;
+}
+
+std::vector<std::string> RectifiedSource::doubts() const {
+  std::vector<std::string> doubts = {imaging::baselineDoubt(rig_), imaging::pixelDoubt(rig_)};
+  std::erase(doubts, "");
+  std::ranges::copy(
+      raw_.cameras.empty() ? imaging::cameraDoubts(given_) : imaging::cameraDoubts(raw_),
+      std::back_inserter(doubts));
+  return doubts;
+}
+
+Status RectifiedSource::prepareCut(CameraRig& rig) {
+  Result<imaging::ImageCut> cut = imaging::ImageCut::create(rig, images_.crop, images_.scale);
+  if (!cut.isOk()) return cut.status();
+  cut_ = std::move(cut).value();
+  rig = rig_ = cut_.rig();
+  depth_arrays_.clear();
+  if (cut_.isWhole()) return Status::ok();
+  std::vector<ArrayInfo> arrays;
+  const Status status = instance().describe(arrays);
+  for (const ArrayInfo& array : arrays) {
+    if (array.kind == ArrayKind::DepthImage) depth_arrays_.push_back(array.name);
+  }
+  return status;
+}
+
+Status RectifiedSource::prepare(CameraRig& rig) {
+  maps_.clear();
+  left_only_ = false;
+  if (settings_.mode == config::RectificationMode::Off) {
+    left_only_ = true;
+    text_ = "raw images, not rectified, of the left camera alone";
+    return Status::ok();
+  }
+  const auto view = imaging::chooseView(raw_, {settings_.scale, settings_.field_of_view});
+  if (!view.isOk()) {
+    return Status::invalidInput("the images cannot be rectified: " + view.status().message() +
+                                " (`rectification.mode: off` gives the left images as they are)");
+  }
+  for (const RawCamera& camera : raw_.cameras) {
+    if (camera.width == rig.width && camera.height == rig.height) continue;
+    return Status::invalidInput("the calibration is of images of " + std::to_string(camera.width) +
+                                "x" + std::to_string(camera.height) + " px, but they have " +
+                                std::to_string(rig.width) + "x" + std::to_string(rig.height) +
+                                "; give the calibration of these images");
+  }
+  const imaging::RectifiedView& chosen = view.value();
+  rig = chosen.rig;
+  text_ = imaging::viewText(raw_, chosen);
+  if (chosen.is_identity) return Status::ok();
+  for (std::size_t i = 0; i < raw_.cameras.size(); ++i) {
+    maps_.emplace_back(raw_.cameras[i], chosen.R_rectified_raw[i], chosen.rig);
+  }
+  return Status::ok();
+}
+
+Status RectifiedSource::next(Frame& frame) {
+  const Status status = SourceStage::next(frame);
+  if (!status.isOk()) return status;
+  if (left_only_) frame.right = {};
+  if (maps_.empty() && cut_.isWhole()) return status;
+  const auto begin = std::chrono::steady_clock::now();
+  withoutOtherTasks([&] { change(frame); });
+  const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - begin;
+  rectifying_ns_ = took.count();
+  return host::checkImages(frame, rig_);
+}
+
+void RectifiedSource::change(Frame& frame) const {
+  if (!maps_.empty()) {
+    frame.left = maps_.front().apply(frame.left);
+    frame.right = maps_.size() == 2 ? maps_.back().apply(frame.right) : Image();
+  }
+  frame.left = cut_.apply(frame.left);
+  frame.right = cut_.apply(frame.right);
+  for (NamedArray& sensor : frame.sensors) {
+    if (std::ranges::find(depth_arrays_, sensor.name) != depth_arrays_.end()) cut_.apply(sensor);
+  }
+}
+
+}  // namespace tolman::pipeline

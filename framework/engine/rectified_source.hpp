@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The source with rectified images: raw images (extra RawRigSource) are rectified, then all are
+// cropped and scaled as configured.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/settings.hpp"
+#include "host/stages.hpp"
+#include "engine/image_cut.hpp"
+#include "engine/pixel_map.hpp"
+
+namespace tolman::pipeline {
+
+class RectifiedSource : private host::SourceStage {
+ public:
+  explicit RectifiedSource(std::unique_ptr<host::Instance> instance,
+                           const config::RectificationSettings& settings = {},
+                           config::ImageSettings images = {})
+      : SourceStage(std::move(instance)), settings_(settings), images_(std::move(images)) {}
+
+  using SourceStage::inspect;
+  using SourceStage::instance;
+  using SourceStage::resetChecks;
+  using SourceStage::startAt;
+
+  /// Describes the cameras and images that the stages get. Fails if raw images cannot be rectified,
+  /// or images cannot be cropped as configured.
+  Status info(SourceInfo& info);
+  Status next(Frame& frame);
+  /// The raw cameras, after info(); none where the source gives rectified images.
+  const RawRig& rawRig() const { return raw_; }
+  /// Whether the source does not know its number of frames (a live source); after info().
+  bool isEndless() const { return is_endless_; }
+  /// How the images are rectified, as text for the user; empty if they are not. After info().
+  const std::string& text() const { return text_; }
+  /// How the images are cropped and scaled, likewise; empty for whole images. After info().
+  std::string cutText() const { return cut_.text(); }
+  /// Why baseline, pixels, principal point and focal length are doubtful, likewise; none if they
+  /// are not. After info().
+  std::vector<std::string> doubts() const;
+  /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
+  std::int64_t rectifyingNs() const { return rectifying_ns_; }
+
+ private:
+  Status prepare(CameraRig& rig);
+  Status prepareCut(CameraRig& rig);
+  void change(Frame& frame) const;
+
+  config::RectificationSettings settings_;
+  config::ImageSettings images_;
+  RawRig raw_;
+  CameraRig given_;  ///< the rig that the source told
+  CameraRig rig_;    ///< the rig that the stages get
+  std::string text_;
+  std::vector<imaging::PixelMap> maps_;  ///< one per camera; none: images are not rectified
+  imaging::ImageCut cut_;
+  std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
+  std::int64_t rectifying_ns_ = 0;
+  bool is_endless_ = false;
+  bool left_only_ = false;  ///< the stages get only the left image of a raw pair
+};
+
+}  // namespace tolman::pipeline

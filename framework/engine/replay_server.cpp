@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/replay_server.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "config/json_integer.hpp"
+#include "record/run_directory.hpp"
+#include "engine/page_observer.hpp"
+
+namespace tolman::run {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPollPeriod = 500ms;  // as often as the recorder commits
+
+template <class Answer>
+auto readable(Answer answer) {
+  return require(std::move(answer), FailureKind::Dataset);
+}
+
+void requireObserved(const Status& status) { require(status, FailureKind::Stage, "viewer"); }
+
+/// The recorded description of the run's source.
+SourceInfo sourceInfo(const record::RunReader& reader, const nlohmann::ordered_json& file) {
+  SourceInfo info;
+  const auto rigs = reader.records<CameraRig>();
+  if (rigs.isOk() && !rigs.value().empty()) info.rig = rigs.value().front();
+  const auto source = file.find("source");
+  if (source == file.end() || !source->is_object()) return info;
+  const auto take = [&](const char* key, auto& value) {
+    const auto found = source->find(key);
+    if (found == source->end()) return;
+    try {
+      if constexpr (std::is_same_v<decltype(value), std::int64_t&>) {
+        value = config::integerFrom<std::int64_t>(*found);
+      } else {
+        found->get_to(value);
+      }
+    } catch (const nlohmann::json::exception&) {  // a foreign file
+    }
+  };
+  take("description", info.description);
+  take("frames", info.frames);
+  take("has_truth", info.has_truth);
+  return info;
+}
+
+}  // namespace
+
+/// Defaults of the plugin, with every frame kept and serving until cancelled. Parameters that the
+/// plugin does not declare are left out.
+ParameterValues ReplayServer::parametersOf(const Schema& schema, bool running) const {
+  ParameterValues values;
+  for (const ParameterInfo& info : schema) values[info.name] = info.default_value;
+  const auto set = [&](const char* name, const ParameterValue& value) {
+    if (const auto known = values.find(name); known != values.end()) known->second = value;
+  };
+  set("rate", 0.0);
+  set("stay", true);
+  set("recorded", !running);
+  if (options_.port >= 0) set("port", std::int64_t{options_.port});
+  if (!options_.bind.empty()) set("bind", options_.bind);
+  return values;
+}
+
+void ReplayServer::openObserver(bool running) {
+  const host::Catalogue catalogue = openCatalogue(options_.plugin_paths);
+  const std::string id = require(findPageObserver(catalogue, options_.viewer));
+  const host::LoadedPlugin plugin = loadFrom(catalogue, id, Role::Observer);
+  auto instance = require(host::Instance::create(plugin, "viewer"));
+  values_ = parametersOf(plugin.schema, running);
+  const Context context{values_, logger_, artefacts_, cancellation_, clock_, {}, 0, "viewer"};
+  const Status status = instance->configure(context);
+  const bool choice = status.code() == StatusCode::InvalidParameter;
+  require(status, choice ? FailureKind::Configuration : FailureKind::Plugin, "viewer");
+  observer_ = std::make_unique<host::ObserverStage>(std::move(instance));
+}
+
+void ReplayServer::beginRun(const record::RunReader& reader, bool running) {
+  const record::RunTotals totals = readable(reader.totals());
+  const auto meta = readable(reader.meta());
+  const auto name = meta.find("name");
+  const Status run_file = record::RunDirectory::checkRunFile(options_.run);
+  if (!run_file.isOk()) listener_.note(run_file.message());
+  RunInfo info;
+  info.name = name == meta.end() ? "run" : name->second;
+  if (record::RunDirectory::wasKilled(options_.run)) {
+    info.name += " (killed)";
+    listener_.note("the run was killed; what it had recorded is shown");
+  }
+  info.directory = std::filesystem::absolute(options_.run).lexically_normal().string();
+  info.source = sourceInfo(reader, record::RunDirectory::readRunFile(options_.run));
+  info.arrays = readable(reader.arrayInfos());
+  if (!running) info.source.frames = totals.frames;
+  listener_.loading(totals.frames);
+  requireObserved(observer_->begin(info));
+  listener_.serving(require(observer_->instance().url(), FailureKind::Stage));
+}
+
+void ReplayServer::show(record::RecordedFrame& recorded, const MapGraph* graph) {
+  if (images_) images_->restore(recorded.frame);
+  if (images_ && !images_->problem().empty() && !image_problem_reported_) {
+    image_problem_reported_ = true;
+    listener_.note("without images: " + images_->problem());
+  }
+  Snapshot snapshot = recorded.snapshot();
+  snapshot.graph = graph;
+  requireObserved(observer_->observe(snapshot));
+  listener_.frame();
+}
+
+/// Passes on all frames that are new in the record. The first of them carries the graph, because
+/// the record has only its newest version.
+void ReplayServer::showNewFrames(const record::RunReader& reader, bool running) {
+  graph_ = readable(reader.graph());
+  const auto replay = readable(record::Replay::open(reader, position_, running));
+  record::RecordedFrame recorded;
+  const MapGraph* new_graph = &graph_;
+  while (!cancellation_.requested() && readable(replay->next(recorded))) {
+    show(recorded, std::exchange(new_graph, nullptr));
+  }
+  position_ = replay->position();
+}
+
+void ReplayServer::follow() {
+  for (bool first = true, running = true; running && !cancellation_.requested(); first = false) {
+    if (!first) std::this_thread::sleep_for(kPollPeriod);
+    running = record::RunDirectory::isBeingWritten(options_.run);  // before the reader looks
+    const auto reader = readable(record::RunReader::open(options_.run));
+    if (first) {
+      openObserver(running);
+      beginRun(*reader, running);
+      if (options_.images) {
+        images_ = std::make_unique<RecordedImages>(options_.run, options_.plugin_paths, clock_,
+                                                   cancellation_);
+      }
+    }
+    showNewFrames(*reader, running);
+    if (first) listener_.loaded();
+  }
+}
+
+void ReplayServer::serve() {
+  follow();
+  images_.reset();
+  requireObserved(observer_->finish(graph_));  // serves until cancelled
+}
+
+}  // namespace tolman::run

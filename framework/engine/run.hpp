@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One recorded run: from a checked system to the outcome. The stages are created and driven over
+// all frames of the source, and everything is recorded in a run directory. Messages go only to the
+// log that the caller passes, so any program can embed a run (docs/embed.md).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/metrics.hpp"
+#include "engine/drive.hpp"
+#include "record/answers_file.hpp"
+#include "record/data_files.hpp"
+#include "record/recorder.hpp"
+#include "record/run_directory.hpp"
+#include "record/run_reader.hpp"
+#include "engine/assembly.hpp"
+#include "engine/run_listener.hpp"
+#include "engine/stop_request.hpp"
+#include "engine/watchdog.hpp"
+
+namespace tolman::run {
+
+/// How a run ended. A failed or interrupted run also has counters, and figures of the frames that
+/// were recorded. It has a directory unless it failed before the directory was made.
+struct Outcome {
+  std::optional<Failure> failure;
+  bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
+  std::filesystem::path directory;  ///< absolute; empty if the run failed before it was created
+  pipeline::RunCounters counters;   ///< also whether odometry was lost at the end
+  StageTimes finish_times_ns{};     ///< time that finish() of each stage took
+  pipeline::Latency latency{};      ///< of a realtime run
+  std::optional<evaluation::Metrics> metrics;  ///< of the recorded frames, if there are any
+  double wall_s = 0;  ///< s, from the start of the observers until run.sqlite is closed
+};
+
+struct RunOptions {
+  std::filesystem::path out{};  ///< run directory; empty: runs/NAME-TIME in the working directory
+  bool replace = false;         ///< replace an earlier run in `out`
+  /// Directory of an interrupted or killed run to resume, instead of `out`. The system must be
+  /// checked from its config.resolved.yaml. The results are those of a run without interruption,
+  /// except for frames that a realtime run drops.
+  std::filesystem::path resume{};
+  std::vector<std::string> command_line{};  ///< for run.json
+  /// Record the answers of the front end (source, odometry, place) as with record.replay, if the
+  /// source has images.
+  bool share_answers = false;
+  /// The exit code of the program for an outcome, for run.json. Null: none is written.
+  std::function<int(const Outcome&)> exit_code{};
+};
+
+class Run {
+ public:
+  /// The referenced objects must outlive this one. Cancellation ends the run between two frames.
+  Run(RunLog& log, const Clock& clock, const Cancellation& cancellation, RunOptions options = {})
+      : log_(log), clock_(clock), stop_(cancellation), options_(std::move(options)) {}
+
+  /// Runs `system` to its end. Call it once.
+  Outcome execute(CheckedSystem system);
+
+ private:
+  const config::SystemConfig& config() const { return assembly_->system().config; }
+  // prepare() and what it calls throw Failed.
+  void prepare(CheckedSystem system);
+  void checkOut(const std::string& continued) const;
+  void continueEarlierRun();
+  void resumeRun();
+  void reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now);
+  void openDirectory();
+  void warnOfKeptFiles() const;
+  void openRecord();
+  void recordSessions();
+  void warnOfOtherCamera(const std::vector<CameraRig>& before);
+  void warnOfOtherPrograms();
+  void openAnswers();
+  std::string runId() const;
+
+  void drive(Outcome& outcome);
+  void warnOfSource(const pipeline::DriveResult& result, RunListener& listener);
+  WatchdogSettings watchdogSettings(RunListener& listener);
+  std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
+                                   const RunListener& listener) const;
+  std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
+  void failIfInputsChanged(Outcome& outcome);
+  void failIfNothingCame(Outcome& outcome);
+  void conclude(Outcome& outcome);
+  void completeRunFile(const Outcome& outcome);
+  bool writeRunFile(Outcome& outcome);
+  void failUnlessWritten(Outcome& outcome, const Status& written);
+
+  RunLog& log_;
+  const Clock& clock_;
+  StopRequest stop_;
+  RunOptions options_;
+  std::unique_ptr<Assembly> assembly_;
+  std::vector<record::DataFile> inputs_;        ///< data files as they were when the run began
+  std::vector<ArrayInfo> arrays_;               ///< descriptions for observers
+  std::unique_ptr<record::RunReader> earlier_;  ///< the run that is continued, until it is copied
+  std::int64_t first_frame_ = 0;
+  std::optional<pipeline::MapScale> earlier_scale_;  ///< of the run that is continued
+  std::optional<pipeline::ResumePoint> resume_;
+  std::unique_ptr<record::RunDirectory> directory_;
+  nlohmann::ordered_json run_file_;  ///< contents of run.json
+  std::unique_ptr<record::Recorder> recorder_;
+  std::optional<record::AnswersFile> answers_;  ///< with record.replay
+};
+
+}  // namespace tolman::run

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The saved state of a run: place recognition, cells and map, in the folder `state` of its
+// directory. There are two: session.json describes the state at the end, for a later run that
+// continues the map; checkpoint.json the state after some frame of a run that has not finished.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "engine/checkpoint.hpp"
+#include "engine/assembly.hpp"
+
+namespace tolman::run {
+
+/// The size of a session when its state is saved.
+struct SessionProgress {
+  std::int64_t frames = 0;  ///< of all its sessions
+  std::int64_t experiences = 0;
+  std::int64_t templates = -1;  ///< -1: not known
+  bool finished = true;         ///< false: state of a checkpoint; the record may have later frames
+};
+
+/// Writes state/STAGE.bin for each of place, cells and map that can save its state, and then
+/// state/session.json, which describes the files. Each file is written atomically. Nothing is
+/// written if no stage can save its state. Failures: of a stage (kind Stage), or of a file
+/// (Record).
+std::optional<Failure> saveState(Assembly& assembly, const std::filesystem::path& directory,
+                                 const SessionProgress& progress);
+
+/// Loads the state of the run in `directory` into a new assembly: the state at its end, else that
+/// of its last checkpoint. Throws Failed for a damaged file, and for another plugin, version or
+/// parameter than in the earlier run.
+SessionProgress loadState(Assembly& assembly, const std::filesystem::path& directory);
+
+/// Writes state/checkpoint-FRAME-STAGE.bin and then state/checkpoint.json, so that there is a
+/// complete checkpoint at any time; then removes the files of the previous one.
+Status saveCheckpoint(Assembly& assembly, const std::filesystem::path& directory,
+                      const pipeline::Checkpoint& checkpoint);
+
+/// Loads the checkpoint of the run in `directory` into a new assembly; `states` of the result is
+/// empty.
+/// Throws Failed, as loadState().
+pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const std::filesystem::path& directory);
+
+/// Removes the checkpoint of a finished run whose last state is saved.
+void removeCheckpoint(const std::filesystem::path& directory);
+
+}  // namespace tolman::run

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/bench.hpp"
+
+#include <oneapi/tbb/global_control.h>
+
+#include <array>
+#include <atomic>
+
+#include "host/process_state.hpp"
+#include "host/scratch_folder.hpp"
+#include "engine/drive.hpp"
+
+namespace tolman::bench {
+namespace {
+
+constexpr double kSecondsPerNs = 1e-9;
+
+/// Collects the times of the stages, and cancels the run after `frames`. Frames that are still in
+/// flight then are finished and not counted.
+class TimingListener : public pipeline::Listener, public Cancellation {
+ public:
+  TimingListener(const Clock& clock, const Cancellation& cancellation, std::int64_t frames,
+                 const BenchProgress& progress)
+      : clock_(clock),
+        cancellation_(cancellation),
+        frames_(frames),
+        progress_(progress),
+        begin_ns_(clock.steadyNs()) {}
+
+  bool requested() const override { return complete_ || cancellation_.requested(); }
+
+  Status onFrame(const Snapshot& snapshot) override {
+    if (complete_) return Status::ok();
+    const StageTimes& times = snapshot.stage_times_ns;
+    for (std::size_t role = 0; role < times.size(); ++role) {
+      if (times[role] > 0) durations_ns_.at(role).push_back(times[role]);
+    }
+    pass_.seconds = static_cast<double>(clock_.steadyNs() - begin_ns_) * kSecondsPerNs;
+    complete_ = ++pass_.frames == frames_;
+    progress_.frame();
+    return Status::ok();
+  }
+  void onEvent(const pipeline::Event&) override {}
+  Status onFinish(const std::vector<MotionRevision>&, const MapGraph&) override {
+    return Status::ok();
+  }
+
+  BenchPass pass() const {
+    BenchPass pass = pass_;
+    pass.peak_mib = conformance::peakResidentMib();
+    for (std::size_t role = 0; role < durations_ns_.size(); ++role) {
+      if (durations_ns_.at(role).empty()) continue;
+      pass.stages[std::string(kRoleNames.at(role))] =
+          evaluation::stageTiming(durations_ns_.at(role));
+    }
+    return pass;
+  }
+
+ private:
+  const Clock& clock_;
+  const Cancellation& cancellation_;
+  std::int64_t frames_;
+  const BenchProgress& progress_;
+  std::int64_t begin_ns_;
+  std::atomic<bool> complete_ = false;
+  BenchPass pass_;
+  std::array<std::vector<std::int64_t>, kRoleNames.size()> durations_ns_;
+};
+
+class ChainBench {
+ public:
+  ChainBench(const run::SystemOptions& system, const BenchOptions& options, run::RunLog& log,
+             const Cancellation& cancellation)
+      : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
+
+  Bench run() {
+    const bool chain = !options_.source_only && run::hasChain(system_);
+    for (int i = 0; i < options_.repeats; ++i) pass(run::Scope::Source, bench_.source_passes);
+    for (int i = 0; chain && i < options_.repeats; ++i) {
+      pass(run::Scope::WithoutObservers, bench_.chain_passes);
+    }
+    bench_.interrupted = cancellation_.requested();
+    return std::move(bench_);
+  }
+
+ private:
+  void pass(run::Scope scope, std::vector<BenchPass>& passes) {
+    if (cancellation_.requested()) return;
+    conformance::resetPeakResident();
+    run::Assembly assembly(run::require(run::checkSystem(system_, scope)), log_, clock_,
+                           cancellation_);
+    const host::ScratchFolder scratch("tolman-bench");
+    if (scratch.path().empty()) {
+      throw run::Failed({run::FailureKind::Record, host::kNoScratchFolder});
+    }
+    assembly.openArtefacts(scratch.path());
+    bench_.name = assembly.system().config.general.name;
+    bench_.source = assembly.sourceInfo().description;
+    options_.progress.begin_pass(assembly.sourceInfo().frames);
+    BenchPass measured = scope == run::Scope::Source ? sourceAlone(assembly) : chain(assembly);
+    options_.progress.end_pass();
+    if (measured.frames == 0 && !cancellation_.requested()) {
+      throw run::Failed({run::FailureKind::Dataset, "source: gave no frame to measure"});
+    }
+    if (!cancellation_.requested()) passes.push_back(std::move(measured));  // else: incomplete pass
+  }
+
+  BenchPass sourceAlone(run::Assembly& assembly) {
+    const int threads = pipeline::concurrency(assembly.system().config.general.threads);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    std::vector<std::int64_t> durations_ns;
+    BenchPass pass;
+    while (pass.frames != options_.frames && !cancellation_.requested()) {
+      Frame frame;
+      const std::int64_t begin_ns = clock_.steadyNs();
+      const Status status = assembly.source().next(frame);
+      const std::int64_t duration_ns = clock_.steadyNs() - begin_ns;
+      if (status.code() == StatusCode::EndOfStream) break;
+      run::require(status, run::FailureKind::Dataset);
+      durations_ns.push_back(duration_ns);
+      pass.seconds += static_cast<double>(duration_ns) * kSecondsPerNs;
+      pass.rectifying_s += static_cast<double>(assembly.source().rectifyingNs()) * kSecondsPerNs;
+      ++pass.frames;
+      options_.progress.frame();
+    }
+    pass.peak_mib = conformance::peakResidentMib();
+    pass.stages["source"] = evaluation::stageTiming(durations_ns);
+    return pass;
+  }
+
+  BenchPass chain(run::Assembly& assembly) {
+    const config::SystemConfig& config = assembly.system().config;
+    config::PipelineSettings settings = config.pipeline;
+    settings.mode = config::PipelineMode::Lossless;
+    TimingListener timing(clock_, cancellation_, options_.frames, options_.progress);
+    pipeline::Chain stages(assembly.stages(), assembly.policies(), timing);
+    const pipeline::DriveResult result =
+        pipeline::drive(stages, settings, config.general.threads, timing);
+    if (result.failure) throw run::Failed(assembly.failureOf(*result.failure));
+    return timing.pass();
+  }
+
+  const run::SystemOptions& system_;
+  const BenchOptions& options_;
+  run::RunLog& log_;
+  const Cancellation& cancellation_;
+  run::SteadyClock clock_;
+  Bench bench_;
+};
+
+}  // namespace
+
+Bench runBench(const run::SystemOptions& system, const BenchOptions& options, run::RunLog& log,
+               const Cancellation& cancellation) {
+  return ChainBench(system, options, log, cancellation).run();
+}
+
+}  // namespace tolman::bench

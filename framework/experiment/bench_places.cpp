@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/bench_places.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "experiment/place_truth.hpp"
+#include "config/scalars.hpp"
+#include "engine/value_json.hpp"
+
+namespace tolman::bench {
+namespace {
+
+/// Image `query` was recognised as the place of image `place`, from which the template was made.
+struct Answer {
+  std::int64_t query = -1;
+  std::int64_t place = -1;
+  double score = 0;
+  bool within_pass = true;  ///< both images are of the same pass
+  bool turned = false;      ///< says that the place is passed in the opposite direction
+  Eigen::Isometry3d T_place_query = Eigen::Isometry3d::Identity();
+};
+
+/// One pass over the images of a source.
+class Pass {
+ public:
+  Pass(run::Assembly& assembly, const PlacesOptions& options, const Cancellation& cancellation)
+      : assembly_(assembly), options_(options), cancellation_(cancellation) {}
+
+  /// The pass (0 or 1) and the image in it from which a template was made.
+  struct Template {
+    int pass = 0;
+    std::int64_t image = -1;
+  };
+  /// Adds the templates of this pass to `made_at`, by their ids.
+  void show(int pass, std::map<std::int64_t, Template>& made_at) {
+    options_.progress.begin_pass(assembly_.sourceInfo().frames);
+    Frame frame;
+    while (next(frame)) {
+      const PlaceObservation seen = observe(frame);
+      if (seen.recognition == Recognition::Novel) made_at[seen.template_id] = {pass, images_};
+      if (seen.recognition == Recognition::Familiar) {
+        const Template& place = made_at[seen.template_id];
+        answers.push_back({images_, place.image, seen.score, place.pass == pass, isTurned(seen),
+                           claimedPose(seen)});
+      }
+      ++images_;
+      options_.progress.frame();
+    }
+    options_.progress.end_pass();
+  }
+
+  std::int64_t images() const { return images_; }
+
+  std::vector<Answer> answers;
+  std::vector<double> milliseconds;
+  evaluation::Trajectory truth;  ///< as long as the frames have true poses
+
+ private:
+  bool next(Frame& frame) {
+    if (images_ == options_.frames || cancellation_.requested()) return false;
+    frame = Frame();
+    const Status status = assembly_.source().next(frame);
+    if (status.code() == StatusCode::EndOfStream) return false;
+    run::require(status, run::FailureKind::Dataset);
+    return true;
+  }
+
+  PlaceObservation observe(const Frame& frame) {
+    const Motion motion = motionTo(frame);
+    const bool wants_motion = assembly_.place().input() == PlaceInput::FrameAndMotion;
+    PlaceObservation seen;
+    const std::int64_t begin_ns = clock_.steadyNs();
+    run::require(assembly_.place().observe(frame, wants_motion ? &motion : nullptr, seen),
+                 run::FailureKind::Stage);
+    milliseconds.push_back(1e-6 * static_cast<double>(clock_.steadyNs() - begin_ns));
+    return seen;
+  }
+
+  /// The true motion where it is known, otherwise metres_per_image straight ahead.
+  Motion motionTo(const Frame& frame) {
+    Motion motion;
+    motion.frame = frame.frame;
+    motion.stamp_ns = frame.stamp_ns;
+    const bool follows = static_cast<std::int64_t>(truth.size()) == images_;
+    if (images_ > 0) {
+      motion.state = TrackingState::Tracking;
+      motion.T_previous_current.translation().z() = options_.metres_per_image;
+      if (frame.has_truth && follows) {
+        motion.T_previous_current =
+            truth.back().T_world_camera.inverse() * frame.T_world_camera_truth;
+      }
+      motion.covariance = 1e-4 * Matrix6d::Identity();
+      setPlanarVelocity(motion, 1e-9 * static_cast<double>(frame.stamp_ns - last_stamp_ns_));
+    }
+    if (frame.has_truth && follows) {
+      truth.push_back({images_, frame.stamp_ns, frame.T_world_camera_truth});
+    }
+    last_stamp_ns_ = frame.stamp_ns;
+    return motion;
+  }
+
+  run::Assembly& assembly_;
+  const PlacesOptions& options_;
+  const Cancellation& cancellation_;
+  run::SteadyClock clock_;
+  std::int64_t images_ = 0;
+  std::int64_t last_stamp_ns_ = 0;
+};
+
+class PlacesMeasurement {
+ public:
+  PlacesMeasurement(const run::SystemOptions& system, const PlacesOptions& options,
+                    run::RunLog& log, const Cancellation& cancellation)
+      : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
+
+  PlacesBench run() {
+    run::Assembly first = open(system_);
+    if (!options_.pairs.empty()) refuseSelection(first.system());
+    bench_.name = first.system().config.general.name;
+    bench_.plugin = first.place().instance().manifest().id;
+    Pass pass(first, options_, cancellation_);
+    pass.show(0, made_at_);
+    bench_.images = pass.images();
+    if (options_.second.empty()) {
+      const PlaceTruth truth = truthOf(pass, first.system());
+      if (options_.pairs.empty()) {
+        judgeTurned(pass, first.system().config.evaluation.loop_height);
+      }
+      judge(pass, truth);
+      keepState(first);
+    } else {
+      showSecond(first, truthByNumber(pass.images(), options_.tolerance));
+    }
+    bench_.templates = static_cast<std::int64_t>(made_at_.size());
+    bench_.interrupted = cancellation_.requested();
+    return std::move(bench_);
+  }
+
+ private:
+  run::Assembly open(const run::SystemOptions& system) {
+    return {run::require(run::checkSystem(system, run::Scope::SourceAndPlace)), log_, clock_,
+            cancellation_};
+  }
+
+  void showSecond(run::Assembly& first, const PlaceTruth& truth) {
+    const std::string state =
+        run::require(first.place().instance().save(), run::FailureKind::Configuration);
+    run::SystemOptions system = system_;
+    system.overrides.push_back("source.path=" + config::writeText(options_.second));
+    system.overrides.insert(system.overrides.end(), options_.query_overrides.begin(),
+                            options_.query_overrides.end());
+    run::Assembly second = open(system);
+    run::require(second.place().instance().load(state), run::FailureKind::Configuration, "place");
+    second.place().resetChecks(static_cast<std::int64_t>(made_at_.size()));
+    Pass pass(second, options_, cancellation_);
+    pass.show(1, made_at_);
+    tellLengths(bench_.images, pass.images());
+    bench_.images += pass.images();
+    judge(pass, truth);
+    keepState(second);
+  }
+
+  void tellLengths(std::int64_t first, std::int64_t second) {
+    if (first == second || cancellation_.requested()) return;
+    log_.write(LogLevel::Warning, "source",
+               fmt::format("the second pass has {} images, and the first has {}: are some missing? "
+                           "Image N of both must show the same place",
+                           second, first));
+  }
+
+  /// Whether a parameter of the source has this value (as JSON), or the source has none of that
+  /// name.
+  static bool isSourceAt(const run::CheckedSystem& system, const std::string& name,
+                         const std::string& value) {
+    const ParameterValues& source = system.values.at(system.config.stages.front().instance);
+    const auto found = source.find(name);
+    return found == source.end() || run::valueJson(found->second).dump() == value;
+  }
+
+  /// The numbers of pairs are those of the images in the recording, so all images must be shown, in
+  /// their order.
+  static void refuseSelection(const run::CheckedSystem& system) {
+    for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
+                                      {"step", "1"},
+                                      {"order", "\"forward\""}}) {
+      if (isSourceAt(system, name, whole)) continue;
+      throw run::Failed({run::FailureKind::Configuration,
+                         fmt::format("--pairs numbers all images of the recording, and source.{} "
+                                     "selects some; leave it at {}",
+                                     name, whole)});
+    }
+  }
+
+  /// Pairs of another or a longer recording. With source.last and --frames the images may end
+  /// before the pairs.
+  void refuseUnknownImages(const PlaceTruth& truth, const Pass& pass,
+                           const run::CheckedSystem& system) const {
+    const bool whole = options_.frames < 0 && isSourceAt(system, "last", "-1");
+    if (!whole || cancellation_.requested() || truth.last_query < pass.images()) return;
+    throw run::Failed({run::FailureKind::Dataset,
+                       fmt::format("{}: names image {}, and the recording has {} images, from 0; "
+                                   "are these the pairs of this recording?",
+                                   options_.pairs, truth.last_query, pass.images())});
+  }
+
+  PlaceTruth truthOf(const Pass& pass, const run::CheckedSystem& system) const {
+    if (!options_.pairs.empty()) {
+      PlaceTruth truth =
+          run::require(truthOfPairs(options_.pairs, options_.near), run::FailureKind::Dataset);
+      refuseUnknownImages(truth, pass, system);
+      if (countFindable(truth, pass) > 0) return truth;
+      throw run::Failed({run::FailureKind::Dataset,
+                         fmt::format("{}: has no pair of the {} images that were shown whose "
+                                     "images are more than {} apart (--near)",
+                                     options_.pairs, pass.images(), options_.near)});
+    }
+    if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
+      return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
+    }
+    throw run::Failed({run::FailureKind::Configuration,
+                       "nothing says which images show the same place: the source has no true "
+                       "poses; give --pairs or --second"});
+  }
+
+  static std::int64_t countFindable(const PlaceTruth& truth, const Pass& pass) {
+    std::int64_t count = 0;
+    for (std::int64_t i = 0; i < pass.images(); ++i) count += truth.isFindable(i);
+    return count;
+  }
+
+  void judge(const Pass& pass, const PlaceTruth& truth) {
+    const bool two_passes = !options_.second.empty();
+    for (const Answer& answer : pass.answers) {
+      const bool counts =
+          two_passes ? !answer.within_pass : answer.query - answer.place > options_.near;
+      if (!counts || (bench_.opposite && answer.turned)) continue;
+      bench_.claims.push_back(
+          {answer.query, answer.place, answer.score, truth.isSame(answer.query, answer.place)});
+    }
+    bench_.findable = countFindable(truth, pass);
+    bench_.curve = evaluation::precisionRecall(bench_.claims, bench_.findable);
+    std::vector<double> times = pass.milliseconds;
+    if (times.empty()) return;
+    std::ranges::sort(times);
+    bench_.median_ms = times[times.size() / 2];
+    bench_.p99_ms = times[times.size() * 99 / 100];
+  }
+
+  /// Judges claims of the opposite direction; needs a drive with true poses.
+  void judgeTurned(const Pass& pass, double loop_height) {
+    std::vector<TurnedAnswer> turned;
+    for (const Answer& a : pass.answers) {
+      if (a.turned) turned.push_back({a.query, a.place, a.score, a.T_place_query});
+    }
+    bench_.opposite = judgeOpposite(pass.truth, turned, loop_height);
+  }
+
+  void keepState(run::Assembly& assembly) {
+    if (assembly.place().instance().state() == nullptr) return;
+    const Result<std::string> state = assembly.place().instance().save();
+    if (state.isOk()) bench_.state_bytes = static_cast<std::int64_t>(state.value().size());
+  }
+
+  const run::SystemOptions& system_;
+  const PlacesOptions& options_;
+  run::RunLog& log_;
+  const Cancellation& cancellation_;
+  run::SteadyClock clock_;
+  std::map<std::int64_t, Pass::Template> made_at_;
+  PlacesBench bench_;
+};
+
+}  // namespace
+
+PlacesBench runPlacesBench(const run::SystemOptions& system, const PlacesOptions& options,
+                           run::RunLog& log, const Cancellation& cancellation) {
+  return PlacesMeasurement(system, options, log, cancellation).run();
+}
+
+}  // namespace tolman::bench

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/child_process.hpp"
+
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <thread>
+
+#include "host/process_mark.hpp"
+#include "tolman/version.hpp"
+
+namespace tolman::isolation {
+namespace {
+
+void check(int error, const char* what) {
+  if (error != 0) throw std::system_error(error, std::generic_category(), what);
+}
+
+/// Pointers to the texts and a null pointer, for exec(). They are valid as long as `texts`.
+std::vector<char*> pointersTo(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Setup of a child process between fork and exec. It uses posix_spawn(), because the host has
+/// threads.
+class SpawnPlan {
+ public:
+  SpawnPlan(const std::vector<int>& passed, int output) {
+    check(::posix_spawn_file_actions_init(&actions_), "no process");
+    check(::posix_spawnattr_init(&attributes_), "no process");
+    ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", 0, 0);
+    ::posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
+    // dup2() of a descriptor to itself removes its close-on-exec flag.
+    for (const int fd : passed) ::posix_spawn_file_actions_adddup2(&actions_, fd, fd);
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
+    // Its own process group, so that Ctrl-C in the terminal reaches only the host.
+    ::posix_spawnattr_setpgroup(&attributes_, 0);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  }
+  ~SpawnPlan() {
+    ::posix_spawnattr_destroy(&attributes_);
+    ::posix_spawn_file_actions_destroy(&actions_);
+  }
+  SpawnPlan(const SpawnPlan&) = delete;
+  SpawnPlan& operator=(const SpawnPlan&) = delete;
+
+  pid_t start(std::vector<std::string> command, const std::string& mark) const {
+    std::vector<std::string> environment = environmentWith(mark);
+    const std::vector<char*> words = pointersTo(command);
+    pid_t pid = -1;
+    check(::posix_spawn(&pid, words[0], &actions_, &attributes_, words.data(),
+                        pointersTo(environment).data()),
+          "no further process can be started");
+    return pid;
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+}  // namespace
+
+std::string signalName(int signal) {
+  const char* name = ::sigabbrev_np(signal);
+  const char* meaning = ::sigdescr_np(signal);
+  if (name == nullptr || meaning == nullptr) return "signal " + std::to_string(signal);
+  return std::string("SIG") + name + " (" + meaning + ")";
+}
+
+void limitResources(std::uint64_t memory_mib) {
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  const bool sanitized = std::strcmp(TOLMAN_SANITIZER, "none") != 0;  // they reserve terabytes
+  if (memory_mib == 0 || sanitized) return;
+  const rlimit data{memory_mib << 20U, memory_mib << 20U};
+  ::setrlimit(RLIMIT_DATA, &data);
+}
+
+std::string ProcessEnd::text() const {
+  if (signal != 0) return "died of " + signalName(signal);
+  return "exited with code " + std::to_string(exit_code);
+}
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed,
+                           int output)
+    : mark_(newMark()), pid_(SpawnPlan(passed, output).start(command, mark_)) {}
+
+ChildProcess::~ChildProcess() { (void)end(std::chrono::milliseconds(0)); }
+
+bool ChildProcess::hasEnded() const {
+  if (reaped_) return true;
+  siginfo_t state{};
+  const int answer = ::waitid(P_PID, static_cast<id_t>(pid_), &state, WEXITED | WNOHANG | WNOWAIT);
+  return answer == 0 && state.si_pid == pid_;
+}
+
+void ChildProcess::signal(int number) const {
+  if (!reaped_) ::kill(pid_, number);
+}
+
+void ChildProcess::reap() {
+  int state = 0;
+  pid_t answer = 0;
+  do {
+    answer = ::waitpid(pid_, &state, 0);
+  } while (answer < 0 && errno == EINTR);
+  reaped_ = true;
+  if (answer != pid_) return;
+  end_.signal = WIFSIGNALED(state) ? WTERMSIG(state) : 0;
+  end_.exit_code = WIFEXITED(state) ? WEXITSTATUS(state) : 0;
+}
+
+ProcessEnd ChildProcess::end(std::chrono::milliseconds timeout) {
+  if (reaped_) return end_;
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  while (!hasEnded() && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  // Processes that the child started may be in its group or have left it, and so may the child.
+  // Kill all before reaping: until then the id cannot belong to another process.
+  ::kill(-pid_, SIGKILL);
+  ::kill(pid_, SIGKILL);
+  killMarked(mark_);
+  reap();
+  return end_;
+}
+
+}  // namespace tolman::isolation

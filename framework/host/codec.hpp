@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Encodes and decodes records and the other arguments of a call: the fields of a record in order,
+// in the machine's byte order, since both processes run the same build. The decoder checks all
+// sizes, because the sender may be a defective process.
+#pragma once
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/refusal.hpp"
+#include "host/shared_buffer.hpp"
+#include "tolman/parameters.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::isolation {
+
+/// The bytes are not a valid encoding.
+struct MalformedMessage : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The members of structs that are not records.
+template <class T>
+requires std::same_as<std::remove_const_t<T>, ParameterInfo>
+auto parts(T& info) {
+  return std::tie(info.name, info.type, info.default_value, info.required, info.min, info.max,
+                  info.unit, info.doc, info.choices);
+}
+
+template <class T>
+requires std::same_as<std::remove_const_t<T>, host::Refusal>
+auto parts(T& refusal) { return std::tie(refusal.id, refusal.message, refusal.remedy); }
+
+template <class T>
+concept HasParts = requires(T& value) {
+  parts(value);
+};
+template <class T>
+concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+template <class T>
+concept Matrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
+
+class Encoder {
+ public:
+  explicit Encoder(SharedBuffer& buffer) : buffer_(buffer) {}
+  std::size_t size() const { return size_; }
+
+  template <class... T>
+  void putAll(const T&... values) {
+    (put(values), ...);
+  }
+
+  /// Appends bytes that another encoder has written.
+  void append(std::string_view bytes) { raw(bytes.data(), bytes.size()); }
+
+  template <Scalar T>
+  void put(T value) {
+    raw(&value, sizeof value);
+  }
+  void put(const std::string& text) {
+    put(text.size());
+    raw(text.data(), text.size());
+  }
+  void put(const Status& status) { putAll(status.code(), status.message()); }
+  void put(const Image& image);
+  void put(const Eigen::Isometry3d& pose) { put(pose.matrix()); }
+
+  template <Matrix M>
+  void put(const M& matrix) {
+    putAll(matrix.rows(), matrix.cols());
+    raw(matrix.data(), sizeof(typename M::Scalar) * static_cast<std::size_t>(matrix.size()));
+  }
+  template <class T>
+  void put(const std::vector<T>& values) {
+    put(values.size());
+    if constexpr (std::is_arithmetic_v<T>) {
+      raw(values.data(), values.size() * sizeof(T));
+    } else {
+      for (const T& value : values) put(value);
+    }
+  }
+  template <Scalar T, std::size_t N>
+  void put(const std::array<T, N>& values) {
+    raw(values.data(), sizeof values);
+  }
+  template <class T>
+  void put(const std::optional<T>& value) {
+    put(value.has_value());
+    if (value) put(*value);
+  }
+  void put(const ParameterValue& value) {
+    put(value.index());
+    std::visit([&](const auto& held) { put(held); }, value);
+  }
+  void put(const ParameterValues& values) {
+    put(values.size());
+    for (const auto& [key, value] : values) putAll(key, value);
+  }
+  template <HasParts T>
+  void put(const T& value) {
+    std::apply([&](const auto&... part) { putAll(part...); }, parts(value));
+  }
+  template <Record R>
+  void put(const R& record) {
+    visitFields(record, [&](const Field&, const auto& value) { put(value); });
+  }
+
+ private:
+  void raw(const void* bytes, std::size_t count) {
+    if (count == 0) return;
+    std::memcpy(buffer_.reserve(size_ + count) + size_, bytes, count);
+    size_ += count;
+  }
+  SharedBuffer& buffer_;
+  std::size_t size_ = 0;
+};
+
+class Decoder {
+ public:
+  Decoder(const std::byte* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
+  std::size_t remaining() const { return size_ - position_; }
+  /// Ignores the remaining bytes.
+  void skip() { position_ = size_; }
+
+  template <class... T>
+  void getAll(T&... values) {
+    (get(values), ...);
+  }
+  template <class T>
+  T next() {
+    T value{};
+    get(value);
+    return value;
+  }
+
+  template <Scalar T>
+  void get(T& value) {
+    std::memcpy(&value, take(sizeof value), sizeof value);
+  }
+  template <Scalar T, std::size_t N>
+  void get(std::array<T, N>& values) {
+    std::memcpy(values.data(), take(sizeof values), sizeof values);
+  }
+  void get(bool& value) { value = std::to_integer<int>(*take(1)) != 0; }
+  void get(std::string& text) {
+    const std::size_t count = this->count(1);
+    text.assign(reinterpret_cast<const char*>(take(count)), count);
+  }
+  void get(Status& status) {
+    const auto code = next<StatusCode>();
+    if (code > StatusCode::Failed) throw MalformedMessage("a status code that does not exist");
+    status =
+        code == StatusCode::Ok ? (skipText(), Status::ok()) : Status(code, next<std::string>());
+  }
+  void get(Image& image);
+  void get(Eigen::Isometry3d& pose) { get(pose.matrix()); }
+
+  template <Matrix M>
+  void get(M& matrix) {
+    const auto rows = next<Eigen::Index>();
+    const auto columns = next<Eigen::Index>();
+    constexpr std::size_t kScalar = sizeof(typename M::Scalar);
+    const bool rows_fit = M::RowsAtCompileTime == Eigen::Dynamic || rows == M::RowsAtCompileTime;
+    const bool columns_fit =
+        M::ColsAtCompileTime == Eigen::Dynamic || columns == M::ColsAtCompileTime;
+    const auto most = static_cast<Eigen::Index>(remaining() / kScalar);
+    if (!rows_fit || !columns_fit || rows < 0 || columns < 0 ||
+        (rows > 0 && columns > most / rows)) {
+      throw MalformedMessage("a matrix of impossible size");
+    }
+    matrix.resize(rows, columns);
+    const std::size_t bytes = kScalar * static_cast<std::size_t>(matrix.size());
+    if (bytes > 0) std::memcpy(matrix.data(), take(bytes), bytes);
+  }
+  template <class T>
+  void get(std::vector<T>& values) {
+    constexpr std::size_t kMin = std::is_arithmetic_v<T> ? sizeof(T) : 1;
+    const std::size_t count = this->count(kMin);
+    values.clear();
+    if constexpr (std::is_arithmetic_v<T>) {
+      values.resize(count);
+      if (count > 0) std::memcpy(values.data(), take(count * sizeof(T)), count * sizeof(T));
+    } else {
+      for (std::size_t i = 0; i < count; ++i) get(values.emplace_back());
+    }
+  }
+  template <class T>
+  void get(std::optional<T>& value) {
+    value.reset();
+    if (next<bool>()) get(value.emplace());
+  }
+  template <class... T>
+  void get(std::variant<T...>& value) {
+    const auto index = next<std::size_t>();
+    std::size_t i = 0;
+    ((index == i++ ? void(value = next<T>()) : void()), ...);
+    if (index >= sizeof...(T)) throw MalformedMessage("a parameter of no known type");
+  }
+  void get(ParameterValues& values);
+  template <HasParts T>
+  void get(T& value) {
+    std::apply([&](auto&... part) { getAll(part...); }, parts(value));
+  }
+  template <Record R>
+  void get(R& record) {
+    visitFields(record, [&](const Field&, auto& value) { get(value); });
+  }
+
+ private:
+  const std::byte* take(std::size_t count) {
+    if (count > remaining()) throw MalformedMessage("the message ends too early");
+    const std::byte* start = bytes_ + position_;
+    position_ += count;
+    return start;
+  }
+  /// Reads a number of elements of at least `least` bytes each; refuses a number that the rest of
+  /// the message cannot contain.
+  std::size_t count(std::size_t least) {
+    const auto count = next<std::size_t>();
+    if (count > remaining() / least) throw MalformedMessage("a list longer than its message");
+    return count;
+  }
+  void skipText() { take(count(1)); }
+
+  const std::byte* bytes_;
+  std::size_t size_;
+  std::size_t position_ = 0;
+};
+
+inline void Encoder::put(const Image& image) {
+  putAll(image.width(), image.height(), image.format());
+  const std::size_t row = static_cast<std::size_t>(image.width()) *
+                          static_cast<std::size_t>(bytesPerPixel(image.format()));
+  for (int r = 0; r < image.height(); ++r) raw(image.row(r), row);
+}
+
+inline void Decoder::get(Image& image) {
+  constexpr int kMaxSide = 1 << 16;  // px
+  const int width = next<int>();
+  const int height = next<int>();
+  const auto format = next<PixelFormat>();
+  if (width < 0 || height < 0 || width > kMaxSide || height > kMaxSide ||
+      format > PixelFormat::Bgr8) {
+    throw MalformedMessage("an image of impossible size");
+  }
+  image = Image();
+  if (width == 0 || height == 0) return;
+  const std::ptrdiff_t stride = std::ptrdiff_t{width} * bytesPerPixel(format);
+  const auto size = static_cast<std::size_t>(stride * height);
+  const std::byte* source = take(size);
+  const std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[size]);
+  std::memcpy(pixels.get(), source, size);
+  image = Image(pixels.get(), width, height, stride, format, pixels);
+}
+
+inline void Decoder::get(ParameterValues& values) {
+  const std::size_t count = this->count(1);
+  values.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string key = next<std::string>();
+    get(values[std::move(key)]);
+  }
+}
+
+}  // namespace tolman::isolation

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/plugin_process.hpp"
+
+#include <fcntl.h>
+#include <oneapi/tbb/global_control.h>
+#include <poll.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+#include "host/instance.hpp"
+#include "host/library.hpp"
+#include "host/stage_artefacts.hpp"
+#include "host/call_handlers.hpp"
+#include "host/channel.hpp"
+#include "host/child_process.hpp"
+#include "host/context_message.hpp"
+#include "host/process_mark.hpp"
+#include "host/stack_report.hpp"
+
+namespace tolman::isolation {
+namespace {
+
+class RemoteLogger : public Logger {
+ public:
+  explicit RemoteLogger(const Socket& socket) : socket_(socket) {}
+  void write(LogLevel level, std::string_view text) override {
+    constexpr auto kLog = static_cast<std::uint32_t>(ReplyKind::Log);
+    (void)socket_.send({{kLog, static_cast<std::uint32_t>(level)}, std::string(text)});
+  }
+
+ private:
+  const Socket& socket_;
+};
+
+class RemoteCancellation : public Cancellation {
+ public:
+  explicit RemoteCancellation(const ControlBlock& control) : control_(control) {}
+  bool requested() const override { return control_.cancelled.load() != 0; }
+
+ private:
+  const ControlBlock& control_;
+};
+
+/// Kills this process and all that it started as soon as the host ends, even during a call that
+/// does not return.
+void endWithHost(int socket) {
+  // The id of the original group: the plugin may have moved this process to another one.
+  std::thread([socket, group = ::getpid(), mark = ownMark()] {
+    pollfd watched{socket, 0, 0};  // POLLHUP is always reported
+    while (::poll(&watched, 1, -1) <= 0) {
+    }
+    killMarked(mark);
+    ::kill(-group, SIGKILL);
+    ::kill(group, SIGKILL);
+  }).detach();
+}
+
+host::OrRefusal<host::LoadedPlugin> open(const LoadMessage& message) {
+  auto manifest = host::readManifest(message.file, message.id);
+  if (auto* refusal = std::get_if<host::Refusal>(&manifest)) return *refusal;
+  std::get<host::Manifest>(manifest).program = message.program;
+  return host::loadPlugin(std::get<host::Manifest>(manifest), host::HostIdentity::ofThisBuild());
+}
+
+class PluginProcess {
+ public:
+  PluginProcess(const std::vector<int>& descriptors, const ProcessServices& services)
+      : socket_(Descriptor(descriptors.at(0))),
+        request_(descriptors.at(1)),
+        response_(descriptors.at(2)),
+        control_(descriptors.at(3)),
+        services_(services),
+        log_(socket_),
+        cancellation_(*reinterpret_cast<const ControlBlock*>(control_.view(sizeof(ControlBlock)))) {
+    for (const int descriptor : descriptors) {
+      ::fcntl(descriptor, F_SETFD,
+              FD_CLOEXEC);  // not inherited by processes that the plugin starts
+    }
+    ::setenv(kStackVariable, std::to_string(descriptors.at(4)).c_str(), 1);
+    endWithHost(socket_.descriptor());
+    addOwnCalls();
+  }
+
+  void run() {
+    SocketMessage message;
+    for (;;) {
+      const ReceiveResult received = socket_.receive(message, std::chrono::milliseconds(-1));
+      if (received == ReceiveResult::Closed) return;
+      if (received == ReceiveResult::Message) execute(message);
+    }
+  }
+
+ private:
+  void execute(const SocketMessage& request) {
+    Decoder in(request_.view(request.size), request.size);
+    Encoder out(response_);
+    const auto found = handlers_.find(static_cast<Call>(request.kind));
+    if (found == handlers_.end()) {
+      out.put(Status::failed("the plugin does not support this call"));
+    } else {
+      found->second(in, out);
+    }
+    constexpr auto kReply = static_cast<std::uint32_t>(ReplyKind::Reply);
+    (void)socket_.send({{kReply, request.detail, out.size()}, {}});
+  }
+
+  void addOwnCalls() {
+    handlers_[Call::Load] = handler(*this, &PluginProcess::load);
+    handlers_[Call::Create] = handler(*this, &PluginProcess::create);
+    handlers_[Call::Configure] = handler(*this, &PluginProcess::configure);
+    handlers_[Call::OpenArtefacts] = handler(*this, &PluginProcess::openArtefacts);
+    handlers_[Call::Destroy] = handler(*this, &PluginProcess::destroy);
+  }
+
+  Status load(const LoadMessage& message, host::Refusal& refusal, Role& role, std::string& version,
+              std::string& summary, std::vector<std::string>& files, Schema& schema) {
+    limitResources(message.memory_mib);
+    if (message.threads > 0) {
+      threads_.emplace(tbb::global_control::max_allowed_parallelism,
+                       static_cast<std::size_t>(message.threads));
+    }
+    auto loaded = open(message);
+    if (auto* reason = std::get_if<host::Refusal>(&loaded)) {
+      refusal = std::move(*reason);
+      return Status::ok();
+    }
+    plugin_ = std::move(std::get<host::LoadedPlugin>(loaded));
+    role = plugin_->manifest.role;
+    version = plugin_->manifest.version;
+    summary = plugin_->manifest.summary;
+    files = plugin_->manifest.program_files;
+    schema = plugin_->schema;
+    return Status::ok();
+  }
+
+  Status create(host::Refusal& refusal, bool& arrays, bool& state) {
+    object_ = plugin_->descriptor->create();
+    if (object_.plugin == nullptr) {
+      refusal = host::nullInstance(plugin_->manifest);
+      return Status::ok();
+    }
+    arrays = object_.arrays != nullptr;
+    state = object_.state != nullptr;
+    handlers_.merge(handlersOf(plugin_->manifest.role, object_));
+    return Status::ok();
+  }
+
+  Status configure(const ContextMessage& message) {
+    context_ = message;
+    return object_.plugin->configure({context_.parameters, log_, artefacts_, cancellation_,
+                                      services_.clock, context_.rig, context_.seed,
+                                      context_.instance, context_.interactive, context_.quiet});
+  }
+
+  Status openArtefacts(const std::string& directory) {
+    artefacts_.folder = services_.artefacts(directory, context_.instance);
+    return Status::ok();
+  }
+
+  Status destroy() {
+    Plugin* plugin = std::exchange(object_, PluginObject{}).plugin;
+    if (plugin != nullptr) plugin_->descriptor->destroy(plugin);
+    return Status::ok();
+  }
+
+  Socket socket_;
+  SharedBuffer request_;
+  SharedBuffer response_;
+  SharedBuffer control_;
+  const ProcessServices& services_;
+  RemoteLogger log_;
+  host::StageArtefacts artefacts_;
+  RemoteCancellation cancellation_;
+  std::optional<tbb::global_control> threads_;
+  ContextMessage context_;
+  std::optional<host::LoadedPlugin> plugin_;
+  PluginObject object_;
+  Handlers handlers_;
+};
+
+/// Exit code for the current exception; call it in a catch block.
+int exitCodeOfException() noexcept {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return kNoMemoryExit;
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) return kNoThreadsExit;
+    return error.code() == std::errc::not_enough_memory ? kNoMemoryExit : 70;
+  } catch (...) {
+    return 70;
+  }
+}
+
+/// An exception cannot leave a static constructor of a library, but ends the process. Where memory
+/// or threads are lacking, the host learns that by the exit code instead of blaming the library.
+[[noreturn]] void endByException() noexcept {
+  const int code = std::current_exception() ? exitCodeOfException() : 70;
+  if (code != 70) ::_exit(code);
+  std::abort();
+}
+
+}  // namespace
+
+void runPluginProcess(const std::vector<int>& descriptors, const ProcessServices& services) {
+  std::set_terminate(endByException);
+  try {
+    PluginProcess(descriptors, services).run();
+  } catch (...) {  // the host detects that this process ended
+    ::_exit(exitCodeOfException());
+  }
+  ::_exit(0);
+}
+
+}  // namespace tolman::isolation

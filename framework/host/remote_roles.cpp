@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/remote_roles.hpp"
+
+#include <array>
+#include <istream>
+#include <iterator>
+#include <ostream>
+
+#include "host/guard.hpp"
+#include "host/prediction.hpp"
+
+namespace tolman::isolation {
+namespace {
+
+const auto kNone = std::tuple<>();
+
+/// The calls that all roles have.
+template <class RoleType>
+class RemoteRole : public RoleType,
+                   public ArraySource,
+                   public ArrayDescriptions,
+                   public PageServer,
+                   public RawRigSource,
+                   public StateKeeper {
+ public:
+  explicit RemoteRole(std::shared_ptr<RemotePlugin> remote) : remote_(std::move(remote)) {}
+
+  Status configure(const Context& context) override { return remote_->configure(context); }
+  Status reset() override { return remote_->call(Call::Reset, kNone, std::tuple<>()); }
+
+  void arrays(std::vector<NamedArray>& arrays) const override {
+    const Status status = remote_->call(Call::Arrays, kNone, std::tie(arrays));
+    if (!status.isOk()) throw host::FailedCall(status);
+  }
+  Status describe(std::vector<ArrayInfo>& arrays) const override {
+    std::vector<ArrayInfo> described;
+    const Status status = remote_->call(Call::Describe, kNone, std::tie(described));
+    arrays.insert(arrays.end(), described.begin(), described.end());
+    return status;
+  }
+  std::string url() const override {
+    std::string url;
+    const Status status = remote_->call(Call::Url, kNone, std::tie(url));
+    if (!status.isOk()) throw host::FailedCall(status);
+    return url;
+  }
+  Status rawRig(RawRig& rig) override { return remote_->call(Call::RawRig, kNone, std::tie(rig)); }
+  Status save(std::ostream& stream) const override {
+    std::string bytes;
+    const Status status = remote_->call(Call::Save, kNone, std::tie(bytes));
+    if (status.isOk()) stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return status;
+  }
+  Status load(std::istream& stream) override {
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    return remote_->call(Call::Restore, std::tie(bytes), std::tuple<>());
+  }
+
+  RemotePlugin& remote() { return *remote_; }
+
+ protected:
+  template <class... I, class... O>
+  Status ask(Call call, std::tuple<const I&...> in, std::tuple<O&...> out) const {
+    return remote_->call(call, in, out);
+  }
+  std::shared_ptr<RemotePlugin> remote_;
+};
+
+class RemoteSource final : public RemoteRole<Source> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status info(SourceInfo& info) override { return ask(Call::Info, kNone, std::tie(info)); }
+  Status next(Frame& frame) override { return ask(Call::Next, kNone, std::tie(frame)); }
+  Status inspect(std::vector<Finding>& findings) override {
+    std::vector<Finding> found;
+    const Status status = ask(Call::Inspect, kNone, std::tie(found));
+    findings.insert(findings.end(), found.begin(), found.end());
+    return status;
+  }
+};
+
+class RemoteOdometry final : public RemoteRole<Odometry> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status track(const Frame& frame, Motion& motion) override {
+    const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
+    last_stamp_ns_ = frame.stamp_ns;
+    const Status status = ask(Call::Track, std::tie(frame), std::tie(motion));
+    if (!status.isOk()) {
+      if (!remote_->alive()) ++missed_;
+      return status;
+    }
+    predicting_ = (predicting_ || remote_->takeStateLoss()) &&
+                  motion.state == TrackingState::Initialising && has_last_;
+    if (predicting_) {
+      host::predict(motion, last_, dt);  // the first motion of a new plugin would be the identity
+    } else if (missed_ > 0) {
+      removeMissed(motion, dt);
+    }
+    missed_ = 0;
+    last_ = motion;
+    has_last_ = true;
+    return status;
+  }
+  Status finish(std::vector<MotionRevision>& revisions) override {
+    return ask(Call::FinishOdometry, kNone, std::tie(revisions));
+  }
+
+ private:
+  /// A restored plugin did not process the frames at which its process ended, so its motion spans
+  /// them. The host has used the last motion for each of those frames; it is removed here.
+  void removeMissed(Motion& motion, double dt) const {
+    for (int i = 0; i < missed_; ++i) {
+      motion.T_previous_current = last_.T_previous_current.inverse() * motion.T_previous_current;
+    }
+    setPlanarVelocity(motion, dt);
+  }
+
+  Motion last_;
+  std::int64_t last_stamp_ns_ = 0;
+  int missed_ = 0;  ///< frames since the last answer at which the process ended
+  bool predicting_ = false;
+  bool has_last_ = false;
+};
+
+class RemotePlace final : public RemoteRole<Place> {
+ public:
+  using RemoteRole::RemoteRole;
+  PlaceInput input() const override {
+    PlaceInput input = PlaceInput::Frame;
+    const Status status = ask(Call::Input, kNone, std::tie(input));
+    if (!status.isOk()) throw host::FailedCall(status);
+    return input;
+  }
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override {
+    std::optional<Motion> given;
+    if (motion != nullptr) given = *motion;
+    return remote_->call(Call::Observe,
+                         std::tuple<const Frame&, const std::optional<Motion>&>(frame, given),
+                         std::tie(observation));
+  }
+  Status finish() override { return ask(Call::FinishPlace, kNone, std::tuple<>()); }
+};
+
+class RemoteCells final : public RemoteRole<Cells> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status step(const Motion& motion, const PlaceObservation& observation,
+              Decision& decision) override {
+    return ask(Call::Step, std::tie(motion, observation), std::tie(decision));
+  }
+  Status finish() override { return ask(Call::FinishCells, kNone, std::tuple<>()); }
+};
+
+class RemoteMap final : public RemoteRole<Map> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status update(const Motion& motion, const Decision& decision, MapUpdate& update) override {
+    return ask(Call::Update, std::tie(motion, decision), std::tie(update));
+  }
+  Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const override {
+    return remote_->call(Call::PoseOf, std::tuple<const std::int64_t&>(frame),
+                         std::tie(T_world_camera));
+  }
+  Status graph(MapGraph& graph) const override { return ask(Call::Graph, kNone, std::tie(graph)); }
+  Status finish(const std::vector<MotionRevision>& revisions) override {
+    return ask(Call::FinishMap, std::tie(revisions), std::tuple<>());
+  }
+};
+
+class RemoteObserver final : public RemoteRole<Observer> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status begin(const RunInfo& run) override {
+    return ask(Call::Begin, std::tie(run), std::tuple<>());
+  }
+  Status observe(const Snapshot& s) override {
+    std::optional<MapGraph> graph;
+    if (s.graph != nullptr) graph = *s.graph;
+    const std::optional<MapGraph>& given = graph;
+    const std::vector<RunEvent> events = s.events != nullptr ? *s.events : std::vector<RunEvent>();
+    return ask(Call::Watch,
+               std::tie(*s.frame, *s.motion, *s.place, *s.decision, *s.map, *s.cells, given,
+                        s.stage_times_ns, events),
+               std::tuple<>());
+  }
+  Status finish(const MapGraph& graph) override {
+    return ask(Call::FinishObserver, std::tie(graph), std::tuple<>());
+  }
+};
+
+template <class Proxy>
+std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
+                                      const std::string& name) {
+  const host::Manifest& manifest = remote->manifest();
+  auto proxy = std::make_unique<Proxy>(remote);
+  PluginObject object{proxy.get()};
+  if (remote->hasArrays()) object.arrays = proxy.get();
+  if (remote->hasState()) object.state = proxy.get();
+  if (manifest.hasExtra("descriptions")) object.descriptions = proxy.get();
+  if (manifest.hasExtra("page")) object.page = proxy.get();
+  if (manifest.hasExtra("raw_rig")) object.raw_rig = proxy.get();
+  (void)proxy.release();  // owned by the instance
+  return std::make_unique<host::Instance>(manifest, name, object, [](Plugin* plugin) {
+    const std::unique_ptr<Proxy> owned(static_cast<Proxy*>(plugin));
+    return owned->remote().destroy();
+  });
+}
+
+}  // namespace
+
+host::OrRefusal<std::unique_ptr<host::Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
+                                                             const std::string& name) {
+  constexpr std::array kAdopt = {&adopt<RemoteSource>, &adopt<RemoteOdometry>,
+                                 &adopt<RemotePlace>,  &adopt<RemoteCells>,
+                                 &adopt<RemoteMap>,    &adopt<RemoteObserver>};
+  if (auto refusal = remote->create()) return *refusal;
+  const auto role = static_cast<std::size_t>(remote->manifest().role);
+  return kAdopt.at(role)(std::move(remote), name);
+}
+
+Status openArtefacts(RemotePlugin& remote, const std::string& run_directory) {
+  return remote.call(Call::OpenArtefacts, std::tie(run_directory), std::tuple<>());
+}
+
+}  // namespace tolman::isolation
