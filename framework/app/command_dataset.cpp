@@ -14,11 +14,11 @@
 #include "app/terminal_output.hpp"
 #include "config/check.hpp"
 #include "config/overrides.hpp"
-#include "host/guard.hpp"
-#include "host/stage_artefacts.hpp"
+#include "engine/assembly.hpp"
 #include "engine/pair_survey.hpp"
 #include "engine/rectified_source.hpp"
-#include "engine/assembly.hpp"
+#include "host/guard.hpp"
+#include "host/stage_artefacts.hpp"
 
 namespace tolman::app {
 namespace {

@@ -17,9 +17,9 @@
 #include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
+#include "base/shortest_path.hpp"
 #include "record/graph_parts.hpp"
 #include "record/run_reader.hpp"
-#include "base/shortest_path.hpp"
 
 namespace tolman::app {
 namespace {

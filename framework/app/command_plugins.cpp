@@ -18,9 +18,9 @@
 #include "app/path_kind.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
+#include "engine/assembly.hpp"
 #include "host/gate.hpp"
 #include "host/remote_plugin.hpp"
-#include "engine/assembly.hpp"
 
 namespace tolman::app {
 namespace {

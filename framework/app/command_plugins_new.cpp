@@ -13,8 +13,8 @@
 #include "app/plugin_template.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
-#include "host/catalogue.hpp"
 #include "engine/checked_system.hpp"
+#include "host/catalogue.hpp"
 
 namespace tolman::app {
 namespace {

@@ -14,16 +14,16 @@
 #include "app/output_files.hpp"
 #include "app/path_kind.hpp"
 #include "app/progress_line.hpp"
+#include "app/rendering.hpp"
 #include "app/source_overrides.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
 #include "config/scalars.hpp"
-#include "app/rendering.hpp"
+#include "engine/assembly.hpp"
 #include "engine/drive.hpp"
+#include "engine/input_data.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
-#include "engine/assembly.hpp"
-#include "engine/input_data.hpp"
 
 namespace tolman::app {
 namespace {

@@ -8,9 +8,9 @@
 #include "app/output_files.hpp"
 #include "app/path_kind.hpp"
 #include "app/program.hpp"
+#include "engine/report_files.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
-#include "engine/report_files.hpp"
 
 namespace tolman::app {
 namespace {

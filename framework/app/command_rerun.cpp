@@ -15,10 +15,10 @@
 #include "app/run_changes.hpp"
 #include "app/summary.hpp"
 #include "app/terminal_output.hpp"
-#include "record/digest.hpp"
-#include "record/run_directory.hpp"
 #include "engine/run.hpp"
 #include "engine/terminal.hpp"
+#include "record/digest.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::app {
 namespace {

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/program.hpp"
+#include "engine/services.hpp"
 #include "host/plugin_process.hpp"
 #include "record/artefacts.hpp"
-#include "engine/services.hpp"
 
 namespace tolman::app {
 

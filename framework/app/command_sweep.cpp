@@ -15,17 +15,17 @@
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
 #include "config/paths.hpp"
+#include "engine/terminal.hpp"
 #include "experiment/job_files.hpp"
 #include "experiment/known_data.hpp"
 #include "experiment/point_run.hpp"
 #include "experiment/run_table.hpp"
 #include "experiment/sweep_archive.hpp"
-#include "host/scratch_folder.hpp"
 #include "host/child_process.hpp"
+#include "host/scratch_folder.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
 #include "record/output_places.hpp"
-#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

@@ -12,10 +12,10 @@
 #include "conformance/kit.hpp"
 #include "conformance/report_text.hpp"
 #include "conformance/run_check.hpp"
-#include "host/manifest.hpp"
-#include "host/scratch_folder.hpp"
-#include "host/remote_plugin.hpp"
 #include "engine/checked_system.hpp"
+#include "host/manifest.hpp"
+#include "host/remote_plugin.hpp"
+#include "host/scratch_folder.hpp"
 
 namespace tolman::app {
 namespace {

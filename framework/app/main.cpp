@@ -17,9 +17,9 @@
 #include "app/exit_guard.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
+#include "engine/services.hpp"
 #include "host/plugin_process.hpp"
 #include "host/process_mark.hpp"
-#include "engine/services.hpp"
 
 namespace {
 

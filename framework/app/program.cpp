@@ -21,14 +21,14 @@
 #include "app/terminal_output.hpp"
 #include "config/nearest_name.hpp"
 #include "config/paths.hpp"
+#include "engine/build_info.hpp"
+#include "engine/terminal.hpp"
 #include "host/manifest.hpp"
 #include "record/atomic_file.hpp"
 #include "record/export.hpp"
 #include "record/run_check.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
-#include "engine/build_info.hpp"
-#include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {

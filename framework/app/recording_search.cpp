@@ -8,10 +8,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "config/scalars.hpp"
-#include "record/regular_file.hpp"
-#include "engine/checked_system.hpp"
 #include "base/text_encoding.hpp"
+#include "config/scalars.hpp"
+#include "engine/checked_system.hpp"
+#include "record/regular_file.hpp"
 
 namespace tolman::app {
 namespace {

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.hpp"
+#include "engine/program_changes.hpp"
 #include "record/run_check.hpp"
 #include "record/run_directory.hpp"
-#include "engine/program_changes.hpp"
 
 namespace tolman::app {
 namespace {

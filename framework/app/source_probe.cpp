@@ -12,16 +12,16 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "app/rendering.hpp"
 #include "app/terminal_output.hpp"
 #include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
-#include "app/rendering.hpp"
+#include "engine/assembly.hpp"
+#include "host/child_process.hpp"
 #include "host/guard.hpp"
 #include "host/library.hpp"
-#include "host/child_process.hpp"
 #include "host/plugin_process.hpp"
 #include "record/atomic_file.hpp"
-#include "engine/assembly.hpp"
 
 namespace tolman::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "app/program.hpp"
-#include "evaluation/metrics.hpp"
 #include "engine/run.hpp"
+#include "evaluation/metrics.hpp"
 
 namespace tolman::app {
 

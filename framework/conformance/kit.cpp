@@ -7,8 +7,8 @@
 
 #include "conformance/child.hpp"
 #include "conformance/protocol.hpp"
-#include "host/scratch_folder.hpp"
 #include "host/plugin_process.hpp"
+#include "host/scratch_folder.hpp"
 
 namespace tolman::conformance {
 namespace {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "host/stage_artefacts.hpp"
-#include "host/stages.hpp"
 #include "engine/chain.hpp"
 #include "engine/checked_system.hpp"
 #include "engine/services.hpp"
+#include "host/stage_artefacts.hpp"
+#include "host/stages.hpp"
 
 namespace tolman::run {
 

@@ -7,8 +7,6 @@
 #include <optional>
 
 #include "config/settings.hpp"
-#include "host/guard.hpp"
-#include "host/stages.hpp"
 #include "engine/checked_odometry.hpp"
 #include "engine/failure_tally.hpp"
 #include "engine/frame_records.hpp"
@@ -18,6 +16,8 @@
 #include "engine/run_counters.hpp"
 #include "engine/scale_check.hpp"
 #include "engine/stage_activity.hpp"
+#include "host/guard.hpp"
+#include "host/stages.hpp"
 
 namespace tolman::pipeline {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "host/stages.hpp"
 #include "engine/frame_check.hpp"
 #include "engine/motion_check.hpp"
 #include "engine/predicted_span.hpp"
+#include "host/stages.hpp"
 
 namespace tolman::pipeline {
 

@@ -12,10 +12,10 @@
 #include "config/loader.hpp"
 #include "config/resolved.hpp"
 #include "config/system_config.hpp"
+#include "engine/failure.hpp"
 #include "host/catalogue.hpp"
 #include "host/library.hpp"
 #include "host/remote_plugin.hpp"
-#include "engine/failure.hpp"
 
 namespace tolman::run {
 

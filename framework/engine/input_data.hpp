@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "config/resolved.hpp"
+#include "engine/checked_system.hpp"
 #include "host/library.hpp"
 #include "record/data_files.hpp"
-#include "engine/checked_system.hpp"
 
 namespace tolman::run {
 

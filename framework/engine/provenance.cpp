@@ -12,12 +12,12 @@
 #include <thread>
 
 #include "config/json_text.hpp"
-#include "record/data_digest.hpp"
-#include "record/digest.hpp"
 #include "engine/build_info.hpp"
 #include "engine/input_data.hpp"
 #include "engine/loaded_libraries.hpp"
 #include "engine/run.hpp"
+#include "record/data_digest.hpp"
+#include "record/digest.hpp"
 #include "tolman/version.hpp"
 
 namespace tolman::run {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/run_counters.hpp"
 #include "engine/assembly.hpp"
+#include "engine/run_counters.hpp"
 
 namespace tolman::run {
 

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <iterator>
 
-#include "host/frame_images.hpp"
 #include "engine/baseline_check.hpp"
 #include "engine/camera_check.hpp"
 #include "engine/pixel_check.hpp"
 #include "engine/rectified_view.hpp"
 #include "engine/task_isolation.hpp"
+#include "host/frame_images.hpp"
 
 namespace tolman::pipeline {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "config/settings.hpp"
-#include "host/stages.hpp"
 #include "engine/image_cut.hpp"
 #include "engine/pixel_map.hpp"
+#include "host/stages.hpp"
 
 namespace tolman::pipeline {
 

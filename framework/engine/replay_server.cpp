@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "config/json_integer.hpp"
-#include "record/run_directory.hpp"
 #include "engine/page_observer.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::run {
 namespace {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "record/replay.hpp"
 #include "engine/checked_system.hpp"
 #include "engine/recorded_images.hpp"
+#include "record/replay.hpp"
 
 namespace tolman::run {
 

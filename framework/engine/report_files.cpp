@@ -9,10 +9,10 @@
 
 #include "config/loader.hpp"
 #include "config/system_config.hpp"
+#include "engine/run_names.hpp"
 #include "record/output_places.hpp"
 #include "report/page.hpp"
 #include "report/raster.hpp"
-#include "engine/run_names.hpp"
 
 namespace tolman::run {
 namespace {

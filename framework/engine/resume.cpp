@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "record/recorder.hpp"
 #include "engine/saved_state.hpp"
+#include "record/recorder.hpp"
 
 namespace tolman::run {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
+#include "engine/assembly.hpp"
 #include "engine/checkpoint.hpp"
 #include "record/run_reader.hpp"
-#include "engine/assembly.hpp"
 
 namespace tolman::run {
 

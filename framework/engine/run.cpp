@@ -6,12 +6,12 @@
 
 #include <utility>
 
-#include "host/guard.hpp"
-#include "record/run_check.hpp"
 #include "engine/provenance.hpp"
 #include "engine/report_files.hpp"
 #include "engine/results.hpp"
 #include "engine/saved_state.hpp"
+#include "host/guard.hpp"
+#include "record/run_check.hpp"
 
 namespace tolman::run {
 namespace {

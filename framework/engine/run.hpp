@@ -12,17 +12,17 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/metrics.hpp"
+#include "engine/assembly.hpp"
 #include "engine/drive.hpp"
+#include "engine/run_listener.hpp"
+#include "engine/stop_request.hpp"
+#include "engine/watchdog.hpp"
+#include "evaluation/metrics.hpp"
 #include "record/answers_file.hpp"
 #include "record/data_files.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
-#include "engine/assembly.hpp"
-#include "engine/run_listener.hpp"
-#include "engine/stop_request.hpp"
-#include "engine/watchdog.hpp"
 
 namespace tolman::run {
 

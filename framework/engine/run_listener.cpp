@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "record/replay.hpp"
 #include "engine/saved_state.hpp"
+#include "record/replay.hpp"
 
 namespace tolman::run {
 

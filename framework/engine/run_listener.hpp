@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/assembly.hpp"
 #include "engine/failure_tally.hpp"
 #include "engine/listener.hpp"
+#include "engine/source_notes.hpp"
 #include "record/answers_file.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
-#include "engine/assembly.hpp"
-#include "engine/source_notes.hpp"
 
 namespace tolman::run {
 

@@ -8,16 +8,16 @@
 
 #include "config/paths.hpp"
 #include "config/resolved.hpp"
-#include "record/atomic_file.hpp"
-#include "record/digest.hpp"
-#include "record/run_check.hpp"
-#include "record/run_id.hpp"
 #include "engine/input_data.hpp"
 #include "engine/program_changes.hpp"
 #include "engine/provenance.hpp"
 #include "engine/resume.hpp"
 #include "engine/run.hpp"
 #include "engine/saved_state.hpp"
+#include "record/atomic_file.hpp"
+#include "record/digest.hpp"
+#include "record/run_check.hpp"
+#include "record/run_id.hpp"
 
 namespace tolman::run {
 namespace {

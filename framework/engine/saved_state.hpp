@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/checkpoint.hpp"
 #include "engine/assembly.hpp"
+#include "engine/checkpoint.hpp"
 
 namespace tolman::run {
 

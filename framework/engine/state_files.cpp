@@ -8,11 +8,11 @@
 #include "base/bounded_json.hpp"
 #include "config/json_integer.hpp"
 #include "config/json_text.hpp"
+#include "engine/value_json.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_id.hpp"
-#include "engine/value_json.hpp"
 
 namespace tolman::run {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <thread>
 
-#include "engine/stage_activity.hpp"
 #include "engine/resources.hpp"
+#include "engine/stage_activity.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::run {

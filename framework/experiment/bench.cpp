@@ -6,9 +6,9 @@
 #include <array>
 #include <atomic>
 
+#include "engine/drive.hpp"
 #include "host/process_state.hpp"
 #include "host/scratch_folder.hpp"
-#include "engine/drive.hpp"
 
 namespace tolman::bench {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/metrics.hpp"
 #include "engine/assembly.hpp"
+#include "evaluation/metrics.hpp"
 
 namespace tolman::bench {
 

@@ -8,10 +8,10 @@
 #include <ctime>
 #include <memory>
 
-#include "experiment/image_files.hpp"
-#include "host/process_state.hpp"
 #include "engine/drive.hpp"
 #include "engine/task_isolation.hpp"
+#include "experiment/image_files.hpp"
+#include "host/process_state.hpp"
 
 namespace tolman::bench {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <map>
 
-#include "experiment/place_truth.hpp"
 #include "config/scalars.hpp"
 #include "engine/value_json.hpp"
+#include "experiment/place_truth.hpp"
 
 namespace tolman::bench {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/precision_recall.hpp"
 #include "experiment/bench.hpp"
 #include "experiment/opposite_places.hpp"
-#include "evaluation/precision_recall.hpp"
 
 namespace tolman::bench {
 

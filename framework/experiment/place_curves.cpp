@@ -9,8 +9,8 @@
 
 #include "base/bounded_json.hpp"
 #include "base/open_files.hpp"
-#include "report/axes.hpp"
 #include "base/text_encoding.hpp"
+#include "report/axes.hpp"
 
 namespace tolman::bench {
 namespace {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "evaluation/loop_truth.hpp"
 #include "base/open_files.hpp"
 #include "base/text_encoding.hpp"
+#include "evaluation/loop_truth.hpp"
 
 namespace tolman::bench {
 namespace {

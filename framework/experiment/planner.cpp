@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "config/overrides.hpp"
-#include "record/digest.hpp"
 #include "engine/input_data.hpp"
+#include "record/digest.hpp"
 
 namespace tolman::experiment {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "config/loader.hpp"
+#include "engine/checked_system.hpp"
 #include "experiment/points.hpp"
 #include "record/data_digest.hpp"
-#include "engine/checked_system.hpp"
 
 namespace tolman::experiment {
 

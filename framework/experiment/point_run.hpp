@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "experiment/point_folder.hpp"
 #include "engine/run.hpp"
+#include "experiment/point_folder.hpp"
 
 namespace tolman::experiment {
 

@@ -11,18 +11,18 @@
 #include <set>
 
 #include "base/bounded_json.hpp"
+#include "base/text_encoding.hpp"
 #include "config/differences.hpp"
 #include "config/loader.hpp"
 #include "config/paths.hpp"
 #include "config/scalars.hpp"
+#include "engine/run_names.hpp"
 #include "experiment/point_folder.hpp"
 #include "experiment/text_table.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_check.hpp"
 #include "record/run_directory.hpp"
-#include "engine/run_names.hpp"
-#include "base/text_encoding.hpp"
 
 namespace tolman::experiment {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 #include <tuple>
 
-#include "host/guard.hpp"
 #include "host/calls.hpp"
 #include "host/codec.hpp"
+#include "host/guard.hpp"
 #include "tolman/plugin.hpp"
 
 namespace tolman::isolation {

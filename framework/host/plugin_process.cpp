@@ -14,15 +14,15 @@
 #include <system_error>
 #include <thread>
 
-#include "host/instance.hpp"
-#include "host/library.hpp"
-#include "host/stage_artefacts.hpp"
 #include "host/call_handlers.hpp"
 #include "host/channel.hpp"
 #include "host/child_process.hpp"
 #include "host/context_message.hpp"
+#include "host/instance.hpp"
+#include "host/library.hpp"
 #include "host/process_mark.hpp"
 #include "host/stack_report.hpp"
+#include "host/stage_artefacts.hpp"
 
 namespace tolman::isolation {
 namespace {

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include "host/manifest.hpp"
 #include "host/context_message.hpp"
+#include "host/manifest.hpp"
 #include "host/opened_files.hpp"
 #include "host/process_handle.hpp"
 

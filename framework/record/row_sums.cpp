@@ -2,7 +2,6 @@
 #include "record/row_sums.hpp"
 
 #include <fmt/format.h>
-
 #include <sqlite3.h>
 
 #include <algorithm>

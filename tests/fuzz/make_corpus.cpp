@@ -12,10 +12,10 @@
 
 #include "bayesian_attractor.hpp"
 #include "experience_map.hpp"
-#include "input.hpp"
 #include "host/calls.hpp"
 #include "host/codec.hpp"
 #include "host/context_message.hpp"
+#include "input.hpp"
 #include "place_replay.hpp"
 #include "seqslam.hpp"
 #include "small_plugins.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: the JSON files of a run: run.json, and session.json of a saved session.
-#include "input.hpp"
-#include "record/run_directory.hpp"
 #include "engine/failure.hpp"
 #include "engine/state_files.hpp"
+#include "input.hpp"
+#include "record/run_directory.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tolman;

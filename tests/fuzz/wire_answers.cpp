@@ -4,10 +4,10 @@
 // call, the next eight are the size in the message, the rest is the shared memory.
 #include <algorithm>
 
-#include "host/stages.hpp"
-#include "input.hpp"
 #include "host/codec.hpp"
 #include "host/shared_buffer.hpp"
+#include "host/stages.hpp"
+#include "input.hpp"
 #include "small_plugins.hpp"
 
 namespace {

@@ -3,9 +3,9 @@
 // input chooses the role, the second the call, the rest are its arguments.
 #include <array>
 
-#include "input.hpp"
 #include "host/call_handlers.hpp"
 #include "host/context_message.hpp"
+#include "input.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "imaging/raw_cameras.hpp"
 #include "engine/rectified_view.hpp"
+#include "imaging/raw_cameras.hpp"
 #include "support/gray_images.hpp"
 #include "tolman/image_cv.hpp"
 

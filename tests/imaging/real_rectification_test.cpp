@@ -4,10 +4,10 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "euroc_source.hpp"
 #include "engine/pixel_map.hpp"
 #include "engine/rectified_view.hpp"
 #include "engine/stereo_check.hpp"
+#include "euroc_source.hpp"
 #include "kitti_raw_source.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"

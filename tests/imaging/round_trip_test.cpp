@@ -4,10 +4,10 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "feature_stereo.hpp"
 #include "engine/pixel_map.hpp"
-#include "imaging/raw_cameras.hpp"
 #include "engine/rectified_view.hpp"
+#include "feature_stereo.hpp"
+#include "imaging/raw_cameras.hpp"
 #include "support/data.hpp"
 #include "support/kitti_clip.hpp"
 #include "tolman/image_cv.hpp"

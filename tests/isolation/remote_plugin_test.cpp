@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "host/fixture_plugins.hpp"
-#include "host/stages.hpp"
 #include "host/remote_roles.hpp"
+#include "host/stages.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "api_messages.hpp"
+#include "base/shortest_path.hpp"
 #include "container.hpp"
 #include "query_value.hpp"
-#include "base/shortest_path.hpp"
 
 namespace tolman::web_viewer {
 namespace {

@@ -8,9 +8,9 @@
 #include <system_error>
 #include <vector>
 
+#include "base/open_files.hpp"
 #include "bytes.hpp"
 #include "jpeg_decoder.hpp"
-#include "base/open_files.hpp"
 #include "orientation.hpp"
 #include "png_chunks.hpp"
 

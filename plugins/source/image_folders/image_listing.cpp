@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "base/open_files.hpp"
 #include "exact_decimal.hpp"
 #include "image_name.hpp"
 #include "name_order.hpp"
 #include "name_series.hpp"
-#include "base/open_files.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "exact_decimal.hpp"
 #include "base/open_files.hpp"
 #include "base/text_encoding.hpp"
+#include "exact_decimal.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;

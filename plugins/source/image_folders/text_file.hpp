@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "inspection.hpp"
 #include "base/number_text.hpp"
+#include "inspection.hpp"
 
 namespace tolman::image_folders {
 

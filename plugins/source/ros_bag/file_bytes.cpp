@@ -5,8 +5,8 @@
 #include <array>
 #include <system_error>
 
-#include "compression.hpp"
 #include "base/open_files.hpp"
+#include "compression.hpp"
 
 namespace tolman::ros_bag {
 namespace fs = std::filesystem;

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "bag_problems.hpp"
-#include "compression.hpp"
 #include "base/open_files.hpp"
+#include "compression.hpp"
 
 namespace tolman::ros_bag {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "base/number_text.hpp"
 #include "base/open_files.hpp"
-#include "route.hpp"
 #include "base/text_encoding.hpp"
+#include "route.hpp"
 
 namespace tolman::town {
 namespace fs = std::filesystem;

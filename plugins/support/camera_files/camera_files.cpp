@@ -6,10 +6,10 @@
 #include <iterator>
 #include <sstream>
 
-#include "calibration_cameras.hpp"
 #include "base/open_files.hpp"
-#include "pair_check.hpp"
 #include "base/text_encoding.hpp"
+#include "calibration_cameras.hpp"
+#include "pair_check.hpp"
 
 namespace tolman::camera_files {
 namespace fs = std::filesystem;
