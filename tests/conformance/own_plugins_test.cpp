@@ -184,7 +184,8 @@ const std::map<std::string, std::vector<std::string>> kRos1Plugins = {{"ros1", {
                                                                       {"ros1_publisher", {}}};
 
 /// `leaks` they cannot pass: roscpp's threads send what was published last until the process ends.
-TEST_CASE("our own plugins of ROS 1 pass every check but that of threads that remain") {
+TEST_CASE("our own plugins of ROS 1 pass every check but that of threads that remain",
+          "[optional]") {
   if (!ros1LiveOrSkip()) return;
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 12);

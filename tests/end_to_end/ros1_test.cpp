@@ -162,7 +162,7 @@ TEST_CASE("no roscore, no publisher, a wrong topic: one clear error each", "[dat
                  "topic /front/camera_info is of type sensor_msgs/CameraInfo"));
 }
 
-TEST_CASE("what is no roscore, or never answers, is told instead of waited for") {
+TEST_CASE("what is no roscore, or never answers, is reported and not waited for", "[optional]") {
   if (!ros1LiveOrSkip()) return;
   Desk desk(false);
   const auto address = [](int port) { return "http://127.0.0.1:" + std::to_string(port); };

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <iostream>
 #include <thread>
 
 #include "experiment/slurm_cluster.hpp"
 #include "experiment/study.hpp"
+#include "support/data.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -31,16 +33,20 @@ constexpr const char* kSlow = "period=100,state=slow,sequence=b,seed=1";
 
 bool isInstalled(const std::string& program) {
   const bool found = run({"which", program}).exit_code == 0;
-  if (!found) WARN("SKIPPED: " << program << " is not installed (install-dependencies --machines)");
+  if (!found) {
+    std::cerr << "SKIPPED: " << program
+              << " is not installed (scripts/install-dependencies --machines)\n";
+    skips().push_back(program);
+  }
   return found;
 }
 
 }  // namespace
 
-TEST_CASE("an array of Slurm, with a task that fails and one that is killed") {
+TEST_CASE("an array of Slurm, with a task that fails and one that is killed", "[optional]") {
   const auto slurm = SlurmCluster::start();
   if (!slurm) {
-    WARN("SKIPPED: Slurm is not installed (install-dependencies --machines)");
+    isInstalled("slurmctld");
     return;
   }
   const Study study;
@@ -89,7 +95,7 @@ TEST_CASE("an array of Slurm, with a task that fails and one that is killed") {
   CHECK(contains(left, slow.string()));
 }
 
-TEST_CASE("GNU parallel runs the lists of commands") {
+TEST_CASE("GNU parallel runs the lists of commands", "[optional]") {
   if (!isInstalled("parallel")) return;
   const Study study;
   study.writeAll(std::string(kRuns) + kGood);
@@ -104,7 +110,7 @@ TEST_CASE("GNU parallel runs the lists of commands") {
   CHECK(study.results() == study.results("local"));
 }
 
-TEST_CASE("Snakemake runs its file, and what has failed does not stop the rest") {
+TEST_CASE("Snakemake runs its file, and what has failed does not stop the rest", "[optional]") {
   if (!isInstalled("snakemake")) return;
   const Study study;
   study.writeAll(std::string(kRuns) + kGood);

@@ -10,7 +10,7 @@
 
 namespace tolman::test {
 
-/// The paths of absent data that tests of this program have asked for.
+/// What tests of this program have asked for and is absent: paths of data, names of programs.
 std::vector<std::string>& skips();
 
 /// The folder or file `name` below $TOLMAN_DATA or ../shared/data. When it is absent the skip is

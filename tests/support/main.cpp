@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Catch2's main. A case whose data are absent ends the program with 77, which CTest shows as
-// skipped; such a case must have the tag [data], so that it is a CTest test of its own.
+// Catch2's main. A case whose data, or what is optional, are absent ends the program with 77, which
+// CTest shows as skipped; such a case must have the tag [data] or [optional], so that it is a CTest
+// test of its own.
 #define CATCH_CONFIG_RUNNER
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <iostream>
+#include <string>
 
 #include "support/data.hpp"
 
@@ -18,14 +20,15 @@ class SkipReporter : public Catch::TestEventListenerBase {
 
   void testCaseStarting(const Catch::TestCaseInfo& info) override {
     TestEventListenerBase::testCaseStarting(info);
-    tagged_ =
-        std::find(info.lcaseTags.begin(), info.lcaseTags.end(), "data") != info.lcaseTags.end();
+    tagged_ = std::ranges::any_of(
+        info.lcaseTags, [](const std::string& tag) { return tag == "data" || tag == "optional"; });
     skips_before_ = tolman::test::skips().size();
   }
   void testCaseEnded(const Catch::TestCaseStats& stats) override {
     TestEventListenerBase::testCaseEnded(stats);
     if (tolman::test::skips().size() == skips_before_ || tagged_) return;
-    std::cerr << "without the tag [data], though it was skipped: " << stats.testInfo.name << "\n";
+    std::cerr << "without the tag [data] or [optional], though it was skipped: "
+              << stats.testInfo.name << "\n";
     untagged = true;
   }
 

@@ -167,7 +167,7 @@ TEST_CASE("one camera with compressed images, and a choice of cameras", "[data]"
   }
 }
 
-TEST_CASE("a recording of ROS 1 that was killed is used as far as it goes", "[data]") {
+TEST_CASE("a recording of ROS 1 that was killed is used as far as it goes", "[optional]") {
   if (!test::ros1OrSkip()) return;
   const test::TemporaryFolder folder;
   test::Ros1List list(folder.path());
