@@ -141,7 +141,7 @@ TEST_CASE("laps: the map keeps the gyroscope's heading better than odometry, wit
   CHECK(map_error < 30);
   CHECK(map_error < 0.6 * median(sortedErrors(odometry, gyro)));
 
-  const std::string page = readText(inSource("docs/camera-maps.md"));
+  const std::string page = readText(inSource("docs/results.md"));
   const std::string name = cells == "pose_cells" ? "pose cells" : "attractor";
   CHECK_THAT(page, Catch::Contains("| `scanline` alone " + tableCells(odometry, gyro)));
   CHECK_THAT(page, Catch::Contains("| " + name + ", relaxation " + tableCells(map, gyro)));

@@ -45,7 +45,7 @@ TEST_CASE("KITTI 06: all frames, odometry within 0.20 m, map within 0.25 m", "[d
 }
 
 // Systems that take the rig as exact have 108.1 m +- 0.4; the estimated offset of the disparities
-// makes it a hundredth shorter (docs/odometry.md).
+// makes it a hundredth shorter (docs/report/odometry.md).
 TEST_CASE("KITTI raw 0001: the path is 108 m long within 1.5 %", "[data]") {
   const auto clip = dataOrSkip("kitti_clips/raw_0001");
   if (!clip) return;

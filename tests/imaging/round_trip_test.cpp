@@ -84,6 +84,6 @@ TEST_CASE("the way through distorted images and back keeps the odometry of KITTI
   const double before = clip.ateRmse(original.trajectory(), order);
   const double after = clip.ateRmse(again.trajectory(), order);
   INFO("before " << before << " m, after " << after << " m");
-  // Of 60 m; other corners and other random samples change it by as much (docs/odometry.md).
+  // Of 60 m; other corners and other random samples change it by as much (docs/results.md).
   REQUIRE(after < before + 0.01);
 }

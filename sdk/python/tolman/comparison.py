@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures the cells of a sweep such as configs/experiments/models.yaml: the tables and the figure of docs/models.md.
+"""Measures the cells of a sweep such as configs/experiments/models.yaml: the tables and the figure of docs/results.md.
 
   python3 -m tolman.comparison sweeps/study [--out FOLDER] [--force] [--cost N]
 
@@ -38,7 +38,7 @@ def points(folder):
     found = {}
     for factors, run in tolman.Sweep(folder).runs:
         if "model" not in factors or "sequence" not in factors:
-            raise ValueError(f"{folder}: its sweep has no factor 'model' or no 'sequence' to compare by; see docs/models.md")
+            raise ValueError(f"{folder}: its sweep has no factor 'model' or no 'sequence' to compare by; see docs/results.md")
         found.setdefault((factors["model"], factors["sequence"]), []).append((int(factors.get("seed", 1)), run))
     return {point: [run for _, run in sorted(runs, key=lambda item: item[0])] for point, runs in found.items()}
 

@@ -79,7 +79,7 @@ TEST_CASE("KITTI raw 0001 with moving traffic ends as far away as its satellite 
   CHECK(clip.run(host, indexRange(0, 108)) == 0);
   const Eigen::Vector3d way =
       host.trajectory().back().translation() - host.trajectory().front().translation();
-  CHECK(way.norm() == Approx(107.0).epsilon(0.004));  // docs/odometry.md
+  CHECK(way.norm() == Approx(107.0).epsilon(0.004));  // docs/report/odometry.md
 }
 
 TEST_CASE("without an offset KITTI raw 0001 is as long as systems without one say", "[data]") {
