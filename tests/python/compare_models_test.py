@@ -15,7 +15,7 @@ import numpy as np
 import tolman
 from tolman import comparison, models
 
-WALK = """source: {{plugin: python, file: {trajectory}, side: 15, speed: 2, view_radius: 1, rooms: {rooms}, duration: {duration}, told: {told}}}
+WALK = """source: {{plugin: python, file: {trajectory}, side: 15, speed: 2, view_radius: 1, rooms: {rooms}, duration: {duration}, reported: {reported}}}
     record.arrays_every: 1"""
 
 
@@ -23,8 +23,8 @@ class CompareModelsTest(Systems):
     def setUp(self):
         super().setUp()
         self.config(odometry="{plugin: motion_replay}", place="{plugin: place_replay, relative_pose: true, view_step: 1000}")
-        walks = {name: WALK.format(trajectory=models.path("trajectory"), rooms=rooms, duration=duration, told=told)
-                 for name, rooms, duration, told in (("box", 1, 150, "false"), ("rooms", 2, 240, "false"), ("told", 2, 240, "true"))}
+        walks = {name: WALK.format(trajectory=models.path("trajectory"), rooms=rooms, duration=duration, reported=reported)
+                 for name, rooms, duration, reported in (("box", 1, 150, "false"), ("rooms", 2, 240, "false"), ("reported", 2, 240, "true"))}
         lengths = "experience_spacing: 1, loop_spacing: 1, loop_minimum_travel: 10"
         self.study = self.folder / "study.yaml"
         self.study.write_text(f"""base: system.yaml
@@ -37,8 +37,8 @@ sequences:
     {walks["box"]}
   rooms:
     {walks["rooms"]}
-  told:
-    {walks["told"]}
+  reported:
+    {walks["reported"]}
 """)
 
     def test_its_tables_tell_hexagons_from_squares_and_who_relocates(self):
@@ -48,8 +48,8 @@ sequences:
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.folder / "sweep/models-cells.csv", newline="") as file:
             listed = list(csv.DictReader(file))
-        rows = {(row["model"].split(",")[0], row["measure"]): float(row["value"]) for row in listed if row["table"] != "relocation told"}
-        told = {(row["model"].split(",")[0], row["measure"]): float(row["value"]) for row in listed if row["table"] == "relocation told"}
+        rows = {(row["model"].split(",")[0], row["measure"]): float(row["value"]) for row in listed if row["table"] != "relocation reported"}
+        reported = {(row["model"].split(",")[0], row["measure"]): float(row["value"]) for row in listed if row["table"] == "relocation reported"}
         self.assertGreater(rows["ssp", "Sargolini"], 0.8)
         self.assertLess(rows["bayesian_attractor", "Sargolini"], 0)
         self.assertGreater(rows["bayesian_attractor", "square"], 0.8)
@@ -61,8 +61,8 @@ sequences:
         self.assertNotIn(("ssp", "after, s"), rows)
         for model in ("ssp", "bayesian_attractor"):
             self.assertLess(rows[model, "map within 1 m, %"], 20)  # the map believes the motion
-            self.assertEqual(told[model, "relocated"], 1)
-            self.assertGreater(told[model, "map within 1 m, %"], 60)  # nothing contradicts the links
+            self.assertEqual(reported[model, "relocated"], 1)
+            self.assertGreater(reported[model, "map within 1 m, %"], 60)  # nothing contradicts the links
         self.assertIn("<svg", (self.folder / "sweep/models.svg").read_text())
 
         again = subprocess.run([sys.executable, "-m", "tolman.comparison", self.folder / "sweep", "--cost", "2"], capture_output=True, text=True, check=False)

@@ -13,7 +13,7 @@ import numpy as np
 import tolman
 from tolman import comparison, models
 
-SEQUENCES = ["00", "02", "05", "06", "07", "town", "eights", "box", "rooms", "told"]
+SEQUENCES = ["00", "02", "05", "06", "07", "town", "eights", "box", "rooms", "reported"]
 
 
 def figures(table):

@@ -4,7 +4,7 @@
   python3 -m tolman.comparison sweeps/study [--out FOLDER] [--force] [--cost N]
 
 Writes models.csv, models-cells.csv and models.svg into the folder of the sweep. The sequence `box` is for measures of single units, `rooms` and
-`told` for remapping and relocation, `eights` for the stability of two passes; others give metres only. A measure of units is the median over 40 of
+`reported` for remapping and relocation, `eights` for the stability of two passes; others give metres only. A measure of units is the median over 40 of
 the first population; of several seeds the mean, with the smallest and the largest. --cost N only measures the time of a step again: the runs in
 the box with the first seed, N times each, one at a time; the smallest of the N medians takes the place of the one in the table, for other
 programs only add to it.
@@ -99,9 +99,9 @@ def rooms(run):
     yield from relocation(run, "relocation")
 
 
-def told(run):
+def reported(run):
     """The same walk where motion says that the animal is carried."""
-    yield from relocation(run, "relocation told")
+    yield from relocation(run, "relocation reported")
 
 
 def relocation(run, table):
@@ -128,15 +128,15 @@ def relocation(run, table):
 
 
 def follows(run, first, again):
-    """Share of the frames after the return at which the position that the map told then, fitted to the truth of the first visit, is right within
+    """Share of the frames after the return at which the position that the map gave then, fitted to the truth of the first visit, is right within
     FOLLOWS_M."""
     truth, known = run.trajectory("truth"), run.map
-    told_m = np.stack([known["T_world_camera_z"], -np.asarray(known["T_world_camera_x"])], axis=1)
+    map_m = np.stack([known["T_world_camera_z"], -np.asarray(known["T_world_camera_x"])], axis=1)
     true_m = np.stack([truth["x"], truth["y"]], axis=1)
-    told_mean, true_mean = told_m[first].mean(axis=0), true_m[first].mean(axis=0)
-    u, _, v = np.linalg.svd((told_m[first] - told_mean).T @ (true_m[first] - true_mean))
+    map_mean, true_mean = map_m[first].mean(axis=0), true_m[first].mean(axis=0)
+    u, _, v = np.linalg.svd((map_m[first] - map_mean).T @ (true_m[first] - true_mean))
     turn = v.T @ np.diag([1, np.linalg.det(v.T @ u.T)]) @ u.T
-    off = (told_m[again] - told_mean) @ turn.T + true_mean - true_m[again]
+    off = (map_m[again] - map_mean) @ turn.T + true_mean - true_m[again]
     return float(np.mean(np.hypot(*off.T) < FOLLOWS_M))
 
 
@@ -178,13 +178,13 @@ def name_of(model):
 
 
 def write_metres(file, sweep):
-    """What `tolman sweep collect` says, but of the rooms: where one lies to the other nothing tells, so no map has the right shape."""
+    """What `tolman sweep collect` says, but of the rooms: where one lies relative to the other is not observable, so no map has the right shape."""
     program.call("sweep", "collect", sweep, "--force", "--out", file, *(word for metric in METRICS for word in ("--metric", metric)))
     with open(file, newline="") as stream:
         header, *rows = csv.reader(stream)
     kept = []
     for row in (dict(zip(header, row)) for row in rows):
-        if row["sequence"] in ("rooms", "told"):
+        if row["sequence"] in ("rooms", "reported"):
             continue
         own_truth = row["sequence"] == "box"  # each seed walks its own way; `tolman compare` expects one of a sequence
         kept.append(list({**row, "model": name_of(row["model"]), "truth_sha256": "" if own_truth else row["truth_sha256"]}.values()))
@@ -192,7 +192,7 @@ def write_metres(file, sweep):
         csv.writer(stream, lineterminator="\n").writerows([header, *kept])
 
 
-MEASURES = {"box": single_units, "rooms": rooms, "told": told, "eights": passes}
+MEASURES = {"box": single_units, "rooms": rooms, "reported": reported, "eights": passes}
 
 
 def measured(job):

@@ -26,7 +26,7 @@ class Navigator(Cells):
         raise NotImplementedError
 
     def position(self):
-        """What the code tells, m: an array of x and y."""
+        """The position by the code, m: an array of x and y."""
         raise NotImplementedError
 
     def learn(self, template):
@@ -64,7 +64,7 @@ class Navigator(Cells):
         return answer
 
     def _restarts(self, state, moved):
-        """After a restart of tracking at an unknown pose the code goes on from where it was, until views tell another place."""
+        """After a restart of tracking at an unknown pose the code goes on from where it was, until views agree on another place."""
         if state == "initialising" != self.state:
             self.restart, self.clue, self.since = self.travel, None, (math.inf, 0.0, 0.0)
         elif self.clue is not None:
@@ -72,7 +72,7 @@ class Navigator(Cells):
         self.state = state
 
     def _relocates(self, view, there):
-        """Two views from before the restart, one after the other, that tell the same place: the code is set to it."""
+        """Two views from before the restart, one after the other, that agree on one place: the code is set to it."""
         if self.restart is None or view[5] > self.restart:
             return False
         clue, self.clue = self.clue, there

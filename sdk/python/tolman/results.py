@@ -19,7 +19,7 @@ from tolman import _record_check, cells, records, spatial
 
 _TYPES = {"INTEGER": np.int64, "REAL": np.float64}
 
-# Units of columns whose name alone tells them; see docs/reference/records.md.
+# Units of columns that follow from the name alone; see docs/reference/records.md.
 _UNITS = {"stamp_ns": "ns", "duration_ns": "ns", "time_ns": "ns", "dt": "s", "duration": "s", "v": "m/s",
           "omega": "rad/s", "heading": "rad", "relative_yaw": "rad", "x": "m", "y": "m", "baseline": "m",
           "width": "px", "height": "px"}  # yapf: disable

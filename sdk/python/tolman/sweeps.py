@@ -63,7 +63,7 @@ def _point(folder):
 
 
 def _object(file):
-    """The object in a JSON file; {} where it is missing or damaged: that run is left out, and told as left out."""
+    """The object in a JSON file; {} where it is missing or damaged: that run is left out, and reported as left out."""
     try:
         contents = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
     except ValueError:

@@ -20,8 +20,8 @@ class Trajectory(tolman.Source):
     duration: float = tolman.parameter(600, range=(1, 1e5), unit="s", doc="Of the random walk.")
     side: float = tolman.parameter(1.5, range=(0.1, 1e5), unit="m", doc="Of the box of the random walk.")
     rooms: int = tolman.parameter(1, range=(1, 8), doc="Such boxes, apart by their side, that the random walk visits one after the other, and then the first "
-                                  "again. It is carried there, to a random place, and motion tells nothing of that.")
-    told: bool = tolman.parameter(False, doc="Motion says when the animal is carried: tracking restarts at an unknown pose. Otherwise it seems to stand still.")
+                                  "again. It is carried there, to a random place, and motion does not report it.")
+    reported: bool = tolman.parameter(False, doc="Motion reports when the animal is carried: tracking restarts at an unknown pose. Otherwise it seems to stand still.")
     speed: float = tolman.parameter(0.2, range=(1e-3, 100), unit="m/s", doc="Mean speed of the random walk; it is Rayleigh distributed.")
     turning: float = tolman.parameter(2.0, range=(0, 5), unit="rad/s", doc="Standard deviation of the turning rate of the random walk.")
     view_every: int = tolman.parameter(10, range=(1, 100000), unit="frames", doc="Frames between two looks.")
@@ -135,7 +135,7 @@ class Trajectory(tolman.Source):
         moved = np.zeros(3) if k in self.carried else np.array(tolman.between(before, here))
         sensors = {"motion.planar": moved, "place.candidate": np.zeros((0, 4)),
                    "place.looked": np.zeros(1), "motion.drive": np.ones(1)}
-        if self.told:
+        if self.reported:
             sensors["motion.unknown"] = np.full(1, float(k in self.carried))
         if self.view_radius > 0 and k % self.view_every == 0:
             sensors["place.looked"] = np.ones(1)
