@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman bench: speed of the source and of every stage. tolman bench odometry: cost of the odometry
-// relative to decoding its images. tolman bench places: precision and recall of place recognition.
+// tolman bench: speed of the source and of every stage. tolman bench places: precision and recall
+// of place recognition.
 #include <filesystem>
 #include <iostream>
 
@@ -9,9 +9,8 @@
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
 #include "experiment/bench.hpp"
-#include "experiment/bench_odometry.hpp"
 #include "experiment/bench_places.hpp"
-#include "experiment/place_curves.hpp"
+#include "experiment/place_truth.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {
@@ -30,7 +29,7 @@ class PassProgress {
   PassProgress(std::int64_t most_frames, const Invocation& invocation)
       : most_frames_(most_frames), invocation_(invocation) {}
 
-  bench::BenchProgress callbacks() {
+  experiment::BenchProgress callbacks() {
     return {[this](std::int64_t frames) {
               line_ = std::make_unique<ProgressLine>(std::cerr, clock_, terminalOf(invocation_),
                                                      framesToCome(most_frames_, frames));
@@ -62,29 +61,14 @@ ExitCode bench(const Run& run, Options options, const Text& text, const Json& js
   return measured.interrupted ? ExitCode::Interrupted : ExitCode::Ok;
 }
 
-void addCounts(CLI::App& command, bench::BenchOptions& options) {
+void addCounts(CLI::App& command, experiment::BenchOptions& options) {
   command.add_option("--frames", options.frames, "Measure at most this many frames")
       ->check(positive);
   command.add_option("--repeat", options.repeats, "Passes of each kind (default: 3)")
       ->check(CLI::Range(1, 1000));
 }
 
-void addOdometryCommand(CLI::App& bench_command, Invocation& invocation) {
-  CLI::App* command = bench_command.add_subcommand(
-      "odometry", "Time of source and odometry over the time to decode the same images alone");
-  auto reader = std::make_shared<SystemOptionsReader>(*command);
-  auto options = std::make_shared<bench::BenchOptions>();
-  addCounts(*command, *options);
-  command->callback([reader, options, &invocation] {
-    const auto run = [&](auto&&... arguments) {
-      return bench::runOdometryBench(reader->read(invocation), arguments...);
-    };
-    invocation.exit_code =
-        bench(run, *options, bench::odometryBenchText, bench::odometryBenchJson, invocation);
-  });
-}
-
-void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
+void addPlacesOptions(CLI::App& command, experiment::PlacesOptions& options) {
   command
       .add_option("--second", options.second,
                   "Folder of a second pass along the same path: image N of both shows the same "
@@ -141,17 +125,17 @@ struct PlaceFigure {
     addForce(command, replace, "Replace the file of --figure");
   }
   /// Call it before the measurement, so that a wrong file is reported before the long work.
-  std::vector<bench::PlaceCurve> read() const {
+  std::vector<experiment::PlaceCurve> read() const {
     if (!file.empty()) refuseExisting({file}, replace, "--figure");
-    std::vector<bench::PlaceCurve> curves;
+    std::vector<experiment::PlaceCurve> curves;
     for (const std::string& name : beside) {
-      curves.push_back(run::require(bench::placeCurveOf(name), run::FailureKind::Dataset));
+      curves.push_back(run::require(experiment::placeCurveOf(name), run::FailureKind::Dataset));
     }
     return curves;
   }
-  void write(const std::vector<bench::PlaceCurve>& curves) const {
+  void write(const std::vector<experiment::PlaceCurve>& curves) const {
     if (file.empty()) return;
-    run::require(record::writeOutput(file, bench::placeCurvesFigure(curves)),
+    run::require(record::writeOutput(file, experiment::placeCurvesFigure(curves)),
                  run::FailureKind::Record);
   }
 };
@@ -160,19 +144,19 @@ void addPlacesCommand(CLI::App& bench_command, Invocation& invocation) {
   CLI::App* command = bench_command.add_subcommand(
       "places", "Precision and recall of place recognition, over one drive or two passes");
   auto reader = std::make_shared<SystemOptionsReader>(*command);
-  auto options = std::make_shared<bench::PlacesOptions>();
+  auto options = std::make_shared<experiment::PlacesOptions>();
   addPlacesOptions(*command, *options);
   auto figure = std::make_shared<PlaceFigure>();
   figure->addOptions(*command);
   command->callback([reader, options, figure, &invocation] {
-    std::vector<bench::PlaceCurve> curves = figure->read();
+    std::vector<experiment::PlaceCurve> curves = figure->read();
     const auto run = [&](auto&&... arguments) {
-      auto measured = bench::runPlacesBench(reader->read(invocation), arguments...);
+      auto measured = experiment::runPlacesBench(reader->read(invocation), arguments...);
       curves.insert(curves.begin(), {measured.name, measured.curve});
       return measured;
     };
     invocation.exit_code =
-        bench(run, *options, bench::placesBenchText, bench::placesBenchJson, invocation);
+        bench(run, *options, experiment::placesBenchText, experiment::placesBenchJson, invocation);
     figure->write(curves);
   });
 }
@@ -183,19 +167,19 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("bench", "Measure the speed of a source and of every stage");
   auto reader = std::make_shared<SystemOptionsReader>(*command);
-  auto options = std::make_shared<bench::BenchOptions>();
+  auto options = std::make_shared<experiment::BenchOptions>();
   addCounts(*command, *options);
   command->add_flag("--source-only", options->source_only, "Leave the other stages out");
-  addOdometryCommand(*command, invocation);
   addPlacesCommand(*command, invocation);
   CLI::Option* config = command->get_option("config")->required(false);
   command->callback([command, config, reader, options, &invocation] {
     if (!command->get_subcommands().empty()) return;  // the subcommand has run already
     if (config->empty()) throw CLI::RequiredError("config");
     const auto run = [&](auto&&... arguments) {
-      return bench::runBench(reader->read(invocation), arguments...);
+      return experiment::runBench(reader->read(invocation), arguments...);
     };
-    invocation.exit_code = bench(run, *options, bench::benchText, bench::benchJson, invocation);
+    invocation.exit_code =
+        bench(run, *options, experiment::benchText, experiment::benchJson, invocation);
   });
 }
 

@@ -17,7 +17,6 @@
 #include "config/paths.hpp"
 #include "engine/terminal.hpp"
 #include "experiment/job_files.hpp"
-#include "experiment/known_data.hpp"
 #include "experiment/point_run.hpp"
 #include "experiment/run_table.hpp"
 #include "experiment/sweep_archive.hpp"

@@ -12,7 +12,7 @@
 #include "engine/assembly.hpp"
 #include "evaluation/metrics.hpp"
 
-namespace tolman::bench {
+namespace tolman::experiment {
 
 /// Callbacks of a caller that shows progress; `frame` may come from any thread.
 struct BenchProgress {
@@ -32,7 +32,6 @@ struct BenchOptions {
 struct BenchPass {
   std::int64_t frames = 0;
   double seconds = 0;   ///< source: sum of its calls; all stages: until the last frame has ended
-  double cpu_s = 0;     ///< of all threads of the process; `bench odometry` only
   double peak_mib = 0;  ///< peak resident memory of the process, plugins included
   std::map<std::string, evaluation::StageTiming> stages;  ///< by role
   double rectifying_s = 0;  ///< part of `seconds` for rectifying raw images; source passes only
@@ -56,4 +55,4 @@ Bench runBench(const run::SystemOptions& system, const BenchOptions& options, ru
 std::string benchText(const Bench& bench);
 nlohmann::ordered_json benchJson(const Bench& bench);
 
-}  // namespace tolman::bench
+}  // namespace tolman::experiment

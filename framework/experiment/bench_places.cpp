@@ -4,13 +4,85 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <set>
 
 #include "config/scalars.hpp"
 #include "engine/value_json.hpp"
+#include "evaluation/loop_truth.hpp"
 #include "experiment/place_truth.hpp"
 
-namespace tolman::bench {
+namespace tolman::experiment {
+
+namespace {
+
+OppositePlaces::Claim judged(const evaluation::Trajectory& truth, const TurnedAnswer& answer,
+                             const dataset::RevisitRule& rule) {
+  const auto pose = [&](std::int64_t image) -> const Eigen::Isometry3d& {
+    return truth[static_cast<std::size_t>(image)].T_world_camera;
+  };
+  const Eigen::Isometry3d claimed = pose(answer.place) * answer.T_place_query;
+  const double error = (claimed.translation() - pose(answer.query).translation()).norm();
+  const bool is_opposite = dataset::headingBetween(pose(answer.place), pose(answer.query), rule) ==
+                           dataset::Heading::Opposite;
+  const bool is_there = dataset::isSamePlace(claimed, pose(answer.query), rule);
+  return {answer.query, answer.place, answer.score, error, is_opposite && is_there};
+}
+
+/// The images that return to a place in the opposite direction, but not in the same direction.
+std::set<std::int64_t> findableOf(const evaluation::Trajectory& truth,
+                                  const dataset::RevisitRule& rule) {
+  std::set<std::int64_t> same;
+  std::set<std::int64_t> opposite;
+  for (const dataset::Revisit& revisit : dataset::findRevisits(truth, rule)) {
+    (revisit.heading == dataset::Heading::Same ? same : opposite).insert(revisit.frame);
+  }
+  for (const std::int64_t image : same) opposite.erase(image);
+  return opposite;
+}
+
+}  // namespace
+
+bool isTurned(const PlaceObservation& seen) {
+  return std::abs(wrapAngle(seen.relative_yaw)) > std::numbers::pi / 2;
+}
+
+Eigen::Isometry3d claimedPose(const PlaceObservation& seen) {
+  return seen.has_relative_pose ? seen.T_template_current : fromPlanar({0, 0, seen.relative_yaw});
+}
+
+std::int64_t OppositePlaces::right() const { return std::ranges::count_if(claims, &Claim::right); }
+
+double OppositePlaces::medianError() const {
+  std::vector<double> errors;
+  for (const Claim& claim : claims) {
+    if (claim.right) errors.push_back(claim.error_m);
+  }
+  if (errors.empty()) return 0;
+  std::ranges::sort(errors);
+  return errors[errors.size() / 2];
+}
+
+OppositePlaces judgeOpposite(const evaluation::Trajectory& truth,
+                             const std::vector<TurnedAnswer>& answers, double height_m) {
+  dataset::RevisitRule rule;
+  rule.height_m = height_m;
+  OppositePlaces places;
+  for (const TurnedAnswer& answer : answers) places.claims.push_back(judged(truth, answer, rule));
+  const std::vector<double> path = evaluation::distances(truth);
+  const auto pathOf = [&](std::int64_t image) { return path[static_cast<std::size_t>(image)]; };
+  for (const std::int64_t image : findableOf(truth, rule)) {
+    ++places.findable;
+    places.found += std::ranges::any_of(places.claims, [&](const OppositePlaces::Claim& claim) {
+      const double since = pathOf(image) - pathOf(claim.query);
+      return claim.right && claim.query <= image && since <= rule.distance_m;
+    });
+  }
+  return places;
+}
+
 namespace {
 
 /// Image `query` was recognised as the place of image `place`, from which the template was made.
@@ -280,4 +352,102 @@ PlacesBench runPlacesBench(const run::SystemOptions& system, const PlacesOptions
   return PlacesMeasurement(system, options, log, cancellation).run();
 }
 
-}  // namespace tolman::bench
+namespace {
+
+/// At most `most` points of the curve, evenly spaced, the last one included.
+std::vector<evaluation::PrecisionRecall> thinned(
+    const std::vector<evaluation::PrecisionRecall>& curve, std::size_t most) {
+  std::vector<evaluation::PrecisionRecall> points;
+  const std::size_t count = std::min(most, curve.size());
+  for (std::size_t i = 1; i <= count; ++i) points.push_back(curve[i * curve.size() / count - 1]);
+  return points;
+}
+
+std::string oppositeText(const OppositePlaces& opposite) {
+  if (opposite.findable == 0 && opposite.claims.empty()) return "";
+  std::string text =
+      fmt::format("opposite direction: {} claims, {} right, with a median error of {:.2f} m\n",
+                  opposite.claims.size(), opposite.right(), opposite.medianError());
+  if (opposite.findable == 0) return text;
+  const double share = static_cast<double>(opposite.found) / static_cast<double>(opposite.findable);
+  return text +
+         fmt::format(
+             "{} images pass a known place, {:.3f} of them at most 5 m after a right claim\n",
+             opposite.findable, share);
+}
+
+nlohmann::ordered_json oppositeJson(const OppositePlaces& opposite) {
+  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
+  for (const OppositePlaces::Claim& claim : opposite.claims) {
+    claims.push_back({{"query", claim.query},
+                      {"place", claim.place},
+                      {"score", claim.score},
+                      {"error_m", claim.error_m},
+                      {"right", claim.right}});
+  }
+  return {{"findable", opposite.findable},
+          {"found", opposite.found},
+          {"median_error_m", opposite.medianError()},
+          {"claims", claims}};
+}
+
+}  // namespace
+
+std::string placesBenchText(const PlacesBench& bench) {
+  std::string text = fmt::format("{}: place recogniser '{}', {} images, {} templates\n", bench.name,
+                                 bench.plugin, bench.images, bench.templates);
+  text += fmt::format("{:>10}{:>9}{:>11}{:>9}\n", "score", "claims", "precision", "recall");
+  for (const auto& point : thinned(bench.curve, 12)) {
+    text += fmt::format("{:>10.4g}{:>9}{:>11.3f}{:>9.3f}\n", point.score, point.claims,
+                        point.precision, point.recall);
+  }
+  text += fmt::format("\n{} images have a place to be found\n", bench.findable);
+  for (const double precision : {1.0, 0.99, 0.9}) {
+    text += fmt::format("recall at {:.0f} % precision: {:.3f}\n", 100 * precision,
+                        evaluation::recallAt(bench.curve, precision));
+  }
+  if (bench.opposite) text += oppositeText(*bench.opposite);
+  text += fmt::format("time of a call: {:.2f} ms median, {:.2f} ms at 99 %\n", bench.median_ms,
+                      bench.p99_ms);
+  if (bench.state_bytes > 0 && bench.templates > 0) {
+    text +=
+        fmt::format("saved state: {} bytes, {:.0f} a template\n", bench.state_bytes,
+                    static_cast<double>(bench.state_bytes) / static_cast<double>(bench.templates));
+  }
+  return text;
+}
+
+nlohmann::ordered_json placesBenchJson(const PlacesBench& bench) {
+  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
+  for (const auto& claim : bench.claims) {
+    claims.push_back({{"query", claim.query},
+                      {"place", claim.place},
+                      {"score", claim.score},
+                      {"right", claim.right}});
+  }
+  nlohmann::ordered_json curve = nlohmann::ordered_json::array();
+  for (const auto& point : bench.curve) {
+    curve.push_back({{"score", point.score},
+                     {"claims", point.claims},
+                     {"precision", point.precision},
+                     {"recall", point.recall}});
+  }
+  nlohmann::ordered_json json = {{"name", bench.name},
+                                 {"plugin", bench.plugin},
+                                 {"images", bench.images},
+                                 {"templates", bench.templates},
+                                 {"findable", bench.findable},
+                                 {"recall_at_100", evaluation::recallAt(bench.curve, 1)},
+                                 {"recall_at_99", evaluation::recallAt(bench.curve, 0.99)},
+                                 {"recall_at_90", evaluation::recallAt(bench.curve, 0.9)},
+                                 {"median_ms", bench.median_ms},
+                                 {"p99_ms", bench.p99_ms},
+                                 {"state_bytes", bench.state_bytes},
+                                 {"interrupted", bench.interrupted},
+                                 {"curve", curve},
+                                 {"claims", claims}};
+  if (bench.opposite) json["opposite"] = oppositeJson(*bench.opposite);
+  return json;
+}
+
+}  // namespace tolman::experiment

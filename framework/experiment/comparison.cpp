@@ -9,10 +9,7 @@
 #include <set>
 
 #include "config/nearest_name.hpp"
-#include "experiment/comparison_notes.hpp"
-#include "experiment/level_names.hpp"
-#include "experiment/mixtures.hpp"
-#include "experiment/repeated_rows.hpp"
+#include "experiment/averaging.hpp"
 #include "record/output_places.hpp"
 
 namespace tolman::experiment {

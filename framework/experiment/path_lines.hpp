@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiment/comparison.hpp"
-#include "experiment/line_figure.hpp"
+#include "experiment/comparison_figure.hpp"
 
 namespace tolman::experiment {
 

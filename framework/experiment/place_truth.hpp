@@ -6,11 +6,14 @@
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "evaluation/precision_recall.hpp"
 #include "evaluation/trajectory.hpp"
 #include "tolman/status.hpp"
 
-namespace tolman::bench {
+namespace tolman::experiment {
 
 struct PlaceTruth {
   /// Whether image `query` shows the place of `place`.
@@ -33,4 +36,17 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file, std::int64_t 
 PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m = 0,
                         std::int64_t near = 0);
 
-}  // namespace tolman::bench
+// Curves of precision over recall in one figure: of a measurement, and of earlier ones.
+
+struct PlaceCurve {
+  std::string name;
+  std::vector<evaluation::PrecisionRecall> points;
+};
+
+/// The curve in a file with the output of `tolman bench places --json`.
+Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file);
+
+/// As SVG, in the style of the report.
+std::string placeCurvesFigure(const std::vector<PlaceCurve>& curves);
+
+}  // namespace tolman::experiment

@@ -10,10 +10,7 @@
 #include <optional>
 
 #include "config/nearest_name.hpp"
-#include "experiment/comparison_notes.hpp"
-#include "experiment/level_names.hpp"
-#include "experiment/mixtures.hpp"
-#include "experiment/repeated_rows.hpp"
+#include "experiment/averaging.hpp"
 
 namespace tolman::experiment {
 namespace {

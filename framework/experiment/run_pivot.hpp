@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiment/run_table.hpp"
-#include "experiment/text_table.hpp"
+#include "experiment/tables.hpp"
 
 namespace tolman::experiment {
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -18,7 +17,7 @@
 #include "config/scalars.hpp"
 #include "engine/run_names.hpp"
 #include "experiment/point_folder.hpp"
-#include "experiment/text_table.hpp"
+#include "experiment/tables.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_check.hpp"
@@ -125,31 +124,6 @@ std::string headerFault(const CsvLine& names, std::size_t factors) {
   return "";
 }
 
-/// Whether a metric is the size of an error, which is never below 0.
-bool isErrorSize(const std::string& metric) {
-  return metric.find(".ate") != std::string::npos || metric.find(".rpe.") != std::string::npos;
-}
-
-/// Whether an error lies between the smallest and the largest of its kind, as far as the row has
-/// them: "map.ate.rmse_m", "map.ate.min_m" and "map.ate.max_m".
-bool isWithinExtremes(const std::string& metric, const std::map<std::string, double>& metrics) {
-  constexpr double kRounding = 1e-9;  // of sums over many poses
-  for (const std::string kind : {".rmse_", ".mean_", ".median_"}) {
-    const std::size_t at = metric.find(kind);
-    if (at == std::string::npos) continue;
-    const auto other = [&](const char* name) {
-      return metrics.find(std::string(metric).replace(at, kind.size(), name));
-    };
-    const double value = metrics.at(metric);
-    const auto least = other(".min_");
-    const auto most = other(".max_");
-    const bool is_low = least != metrics.end() && value < least->second * (1 - kRounding);
-    const bool is_high = most != metrics.end() && value > most->second * (1 + kRounding);
-    return !is_low && !is_high;
-  }
-  return true;
-}
-
 /// Fills `row` from line number `line`. Returns what is wrong with it; empty if nothing is.
 std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t factors,
                         std::size_t line, RunRow& row) {
@@ -167,20 +141,7 @@ std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t
     if (!number.isOk()) {
       return fmt::format("line {}, {}: '{}' is no number", line, names[k], fields[k]);
     }
-    constexpr double kLargest = 1e100;  // sums of squares must be finite
-    if (std::abs(number.value()) > kLargest) {
-      return fmt::format("line {}, {}: {} is too large for a figure", line, names[k], fields[k]);
-    }
-    if (number.value() < 0 && isErrorSize(names[k])) {
-      return fmt::format("line {}, {}: an error of {} is below 0", line, names[k], fields[k]);
-    }
     row.metrics[names[k]] = number.value();
-  }
-  for (const auto& [metric, value] : row.metrics) {
-    if (!isErrorSize(metric) || isWithinExtremes(metric, row.metrics)) continue;
-    return fmt::format(
-        "line {}, {}: {:g} is not between the smallest and the largest of its errors", line, metric,
-        value);
   }
   return "";
 }

@@ -21,9 +21,8 @@ struct Track {
     writeTinyKitti(folder.path() / "sequence", 12);
     config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   }
-  Finished bench(const std::vector<std::string>& more, bool odometry = false) const {
+  Finished bench(const std::vector<std::string>& more) const {
     std::vector<std::string> words = {"bench"};
-    if (odometry) words.emplace_back("odometry");
     words.push_back(config.string());
     for (const char* plugin : {"steady", "painted"}) {
       words.emplace_back("--plugin-path");
@@ -146,69 +145,4 @@ TEST_CASE("bench of a configuration that is wrong ends as a run would") {
   CHECK(track.bench({"--repeat", "0"}).exit_code == 2);
   fs::remove(track.folder.path() / "sequence/image_0/000003.png");
   CHECK(track.bench({}).exit_code == 5);
-}
-
-TEST_CASE("bench odometry compares source and odometry with decoding alone, in turns") {
-  const Track track;
-  const Finished finished = track.bench({"--repeat", "3", "--threads", "2", "--json"}, true);
-  INFO(finished.err);
-  REQUIRE(finished.exit_code == 0);
-  const auto json = nlohmann::json::parse(finished.out);
-  CHECK(json["name"] == "tiny");
-  CHECK(contains(json["source"], "12 stereo pairs"));
-  CHECK(json["threads"] == 2);
-  CHECK(json["interrupted"] == false);
-  for (const char* kind : {"decoding_passes", "odometry_passes"}) {
-    INFO(kind);
-    REQUIRE(json[kind].size() == 3);
-    for (const auto& pass : json[kind]) {
-      CHECK(pass["frames"] == 12);
-      CHECK(pass["cpu_seconds"].get<double>() > 0);
-      CHECK(pass["wall_seconds"].get<double>() > 0);
-      CHECK(pass["peak_mib"].get<double>() > 1);
-    }
-  }
-  for (const char* time : {"cpu", "wall"}) {
-    const std::string key = std::string(time) + "_seconds";
-    std::vector<double> decoding;
-    std::vector<double> odometry;
-    for (const auto& pass : json["decoding_passes"]) decoding.push_back(pass[key]);
-    for (const auto& pass : json["odometry_passes"]) odometry.push_back(pass[key]);
-    std::sort(decoding.begin(), decoding.end());
-    std::sort(odometry.begin(), odometry.end());
-    const auto& ratio = json[std::string(time) + "_ratio"];
-    CHECK(ratio["best"].get<double>() == Approx(odometry[0] / decoding[0]));
-    CHECK(ratio["median"].get<double>() == Approx(odometry[1] / decoding[1]));
-  }
-}
-
-TEST_CASE("bench odometry prints both kinds and their ratio; other stages are not needed") {
-  Track track;
-  track.config = track.folder.path() / "half.yaml";
-  std::ofstream(track.config) << "source: {plugin: kitti, path: sequence}\n"
-                                 "odometry: {plugin: steady, speed: 10}\n";
-  const Finished finished = track.bench({"--repeat", "1", "--frames", "7"}, true);
-  INFO(finished.out << finished.err);
-  REQUIRE(finished.exit_code == 0);
-  CHECK(contains(finished.out, "\ncv::imread alone         1       7"));
-  CHECK(contains(finished.out, "\nsource and odometry      1       7"));
-  CHECK(contains(finished.out, "\nbest over best"));
-  CHECK(contains(finished.err, "frame 7 of 7 (100 %)"));
-}
-
-TEST_CASE("bench odometry says what is missing") {
-  Track track;
-  track.config = track.folder.path() / "painted.yaml";
-  std::ofstream(track.config) << "source: {plugin: painted}\n"
-                                 "odometry: {plugin: steady, speed: 10}\n";
-  const Finished painted = track.bench({}, true);
-  CHECK(painted.exit_code == 3);
-  CHECK(contains(painted.err,
-                 "source 'painted' reads no image files, there is no decoding to compare with"));
-  std::ofstream(track.config) << "source: {plugin: kitti, path: sequence}\n";
-  const Finished alone = track.bench({}, true);
-  CHECK(alone.exit_code == 3);
-  CHECK(contains(alone.err, "odometry: the stage is missing"));
-  CHECK(tolman::test::tolman({"bench"}).exit_code == 2);
-  CHECK(tolman::test::tolman({"bench", "odometry"}).exit_code == 2);
 }

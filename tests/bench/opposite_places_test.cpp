@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Claims that a place is passed in the opposite direction, on a street that is driven out and back.
-#include "experiment/opposite_places.hpp"
-
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "experiment/bench_places.hpp"
+
 using namespace tolman;
-using namespace tolman::bench;
+using namespace tolman::experiment;
 
 namespace {
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves from files, and their positions in the figure.
-#include "experiment/place_curves.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <regex>
 
+#include "experiment/place_truth.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
-using namespace tolman::bench;
+using namespace tolman::experiment;
 
 namespace {
 

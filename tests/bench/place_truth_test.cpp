@@ -12,7 +12,7 @@
 #include "support/data.hpp"
 
 using namespace tolman;
-using namespace tolman::bench;
+using namespace tolman::experiment;
 using tolman::test::TemporaryFolder;
 
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/comparison_notes.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "experiment/averaging.hpp"
 #include "experiment/statistics.hpp"
 
 namespace tolman::experiment {

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/comparison_figure.hpp"
-#include "experiment/comparison_json.hpp"
-#include "experiment/comparison_text.hpp"
+#include "experiment/tables.hpp"
 
 using namespace tolman;
 using namespace tolman::experiment;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/level_names.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "experiment/averaging.hpp"
 
 namespace tolman::experiment {
 namespace {

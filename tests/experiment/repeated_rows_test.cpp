@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that are given twice count once, or are refused if they differ.
-#include "experiment/repeated_rows.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "experiment/averaging.hpp"
 #include "experiment/comparison.hpp"
 #include "experiment/run_pivot.hpp"
 

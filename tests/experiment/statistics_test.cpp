@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "experiment/samples.hpp"
+#include "experiment/sweep_file.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Labels of any characters in tables of Markdown, LaTeX and CSV.
-#include "experiment/text_table.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "experiment/tables.hpp"
 
 using namespace tolman::experiment;
 

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "experiment/comparison.hpp"
-#include "experiment/comparison_text.hpp"
 #include "experiment/run_pivot.hpp"
+#include "experiment/tables.hpp"
 
 namespace tolman::experiment {
 namespace {

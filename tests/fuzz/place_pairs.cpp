@@ -6,7 +6,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tolman;
   const fuzz::MemoryFile file({data, size});
-  const auto truth = bench::truthOfPairs(file.path());
+  const auto truth = experiment::truthOfPairs(file.path());
   if (!truth.isOk()) {
     fuzz::require(!truth.status().message().empty(), "refused without a message");
     return 0;

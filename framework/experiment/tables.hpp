@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "experiment/comparison.hpp"
+
 namespace tolman::experiment {
 
 struct TextTable {
@@ -27,5 +29,20 @@ std::string oneLine(const std::string& text);
 std::string csvField(const std::string& text);
 /// Rows and fields of a CSV file; quoted fields may hold commas, quotes and line breaks.
 std::vector<std::vector<std::string>> csvRows(const std::string& text);
+
+// A comparison as tables: Markdown, LaTeX with booktabs, CSV.
+
+std::string markdownOf(const Comparison& comparison);
+/// Needs \usepackage{booktabs}.
+std::string latexOf(const Comparison& comparison);
+std::string csvOf(const Comparison& comparison);
+
+// Comparisons and tables as JSON, for programs.
+
+/// An object with metric, factors, baseline, notes and a list of levels. Numbers are exact; what
+/// cannot be told, such as an interval of too few runs, is null.
+std::string jsonOf(const Comparison& comparison);
+/// An object with notes and a list of rows: objects of cells by their headings, as text.
+std::string jsonOf(const TextTable& table);
 
 }  // namespace tolman::experiment
