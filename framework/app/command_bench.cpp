@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman bench: speed of the source and of every stage. tolman bench places: precision and recall
 // of place recognition.
-#include <filesystem>
 #include <iostream>
 
-#include "app/output_files.hpp"
+#include "app/options.hpp"
 #include "app/progress_line.hpp"
-#include "app/system_options.hpp"
-#include "app/terminal_output.hpp"
 #include "experiment/bench.hpp"
 #include "experiment/bench_places.hpp"
 #include "experiment/place_truth.hpp"
@@ -62,43 +59,33 @@ ExitCode bench(const Run& run, Options options, const Text& text, const Json& js
 }
 
 void addCounts(CLI::App& command, experiment::BenchOptions& options) {
-  command.add_option("--frames", options.frames, "Measure at most this many frames")
+  addOption(command, "--frames", options.frames, "N", "Measure at most this many frames")
       ->check(positive);
-  command.add_option("--repeat", options.repeats, "Passes of each kind (default: 3)")
+  addOption(command, "--repeat", options.repeats, "N", "Passes of each kind (default: 3)")
       ->check(CLI::Range(1, 1000));
 }
 
 void addPlacesOptions(CLI::App& command, experiment::PlacesOptions& options) {
-  command
-      .add_option("--second", options.second,
-                  "Folder of a second pass along the same path: image N of both shows the same "
-                  "place; the source's parameter `path` is set to it")
-      ->type_name("FOLDER");
-  command
-      .add_option("--query-set", options.query_overrides,
-                  "Override a parameter of place for the second pass only (repeatable)")
-      ->type_name("PATH=VALUE")
-      ->check(isOfPlace)
-      ->allow_extra_args(false);
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "Two passes: images that a right claim may be away (default: 5)")
+  addOption(command, "--second", options.second, "FOLDER",
+            "Folder of a second pass along the same path: image N of both shows the same "
+            "place; the source's parameter `path` is set to it");
+  addList(command, "--query-set", options.query_overrides, "PATH=VALUE",
+          "Override a parameter of place for the second pass only (repeatable)")
+      ->check(isOfPlace);
+  addOption(command, "--tolerance", options.tolerance, "N",
+            "Two passes: images that a right claim may be away (default: 5)")
       ->check(notNegative);
-  command
-      .add_option("--pairs", options.pairs,
-                  "One drive: CSV file of the true pairs, query,match; without it the true "
-                  "poses of the source decide")
-      ->type_name("FILE")
+  addOption(command, "--pairs", options.pairs, "FILE",
+            "One drive: CSV file of the true pairs, query,match; without it the true "
+            "poses of the source decide")
       ->excludes("--second");
-  command
-      .add_option("--near", options.near,
-                  "One drive: claims over at most so many images do not count (default: 20)")
+  addOption(command, "--near", options.near, "N",
+            "One drive: claims over at most so many images do not count (default: 20)")
       ->check(notNegative);
-  command
-      .add_option("--metres-per-image", options.metres_per_image,
-                  "Motion between images where there are no true poses (default: 1)")
+  addOption(command, "--metres-per-image", options.metres_per_image, "N",
+            "Motion between images where there are no true poses (default: 1)")
       ->check(positive);
-  command.add_option("--frames", options.frames, "Use at most this many images of each pass")
+  addOption(command, "--frames", options.frames, "N", "Use at most this many images of each pass")
       ->check(positive);
 }
 
@@ -109,20 +96,15 @@ struct PlaceFigure {
   bool replace = false;
 
   void addOptions(CLI::App& command) {
-    CLI::Option* figure = command
-                              .add_option("--figure", file,
-                                          "Write precision over recall as a figure (SVG); its "
-                                          "curve has the name of the configuration")
-                              ->type_name("FILE")
+    CLI::Option* figure = addOption(command, "--figure", file, "FILE",
+                                    "Write precision over recall as a figure (SVG); its "
+                                    "curve has the name of the configuration")
                               ->check(notEmpty);
-    command
-        .add_option("--beside", beside,
-                    "Draw an earlier measurement in the same figure, what --json printed "
-                    "(repeatable)")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
+    addList(command, "--beside", beside, "FILE",
+            "Draw an earlier measurement in the same figure, what --json printed "
+            "(repeatable)")
         ->needs(figure);
-    addForce(command, replace, "Replace the file of --figure");
+    command.add_flag("--force", replace, "Replace the file of --figure");
   }
   /// Call it before the measurement, so that a wrong file is reported before the long work.
   std::vector<experiment::PlaceCurve> read() const {

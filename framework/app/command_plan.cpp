@@ -2,21 +2,14 @@
 // tolman plan: the fastest route between two places of a recorded map.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/path_kind.hpp"
-#include "app/program.hpp"
-#include "app/terminal_output.hpp"
+#include "app/options.hpp"
 #include "base/shortest_path.hpp"
 #include "record/graph_parts.hpp"
 #include "record/run_reader.hpp"
@@ -25,10 +18,6 @@ namespace tolman::app {
 namespace {
 
 constexpr double kFarthest = 1e9;  // m; also the limit of positions in trajectory files
-
-/// The tables from which a route is made.
-constexpr std::array<std::string_view, 4> kTablesOfRoute = {"experience", "link", "map_update",
-                                                            "motion"};
 
 struct RouteOptions {
   std::string run;
@@ -79,7 +68,7 @@ std::optional<Eigen::Vector3d> parsePlace(std::string_view text) {
 /// The experience at which the robot is, or was at the end of the run. During a run the recorded
 /// graph may not contain the newest experience yet; the last one in it is used then.
 End endHere(const record::RunReader& reader, const MapGraph& graph) {
-  const auto newest = valueOrEnd(reader.newestExperience(), ExitCode::Dataset);
+  const auto newest = valueOf(reader.newestExperience(), ExitCode::Dataset);
   const auto last = static_cast<std::int64_t>(graph.experiences.size()) - 1;
   return End{"here", std::min(newest, last), std::nullopt};
 }
@@ -92,10 +81,10 @@ End endOf(const std::string& text, const record::RunReader& reader, const MapGra
   if (parse(text, id)) return End{text, id, std::nullopt};
   const std::optional<Eigen::Vector3d> place = parsePlace(text);
   if (!place) {
-    throw Ended{ExitCode::Usage,
-                "'" + text +
-                    "' is not a place: give an experience (17), `here`, or metres right, forward "
-                    "and, optionally, up from the start (12.5,-30,6), each at most 1e9"};
+    fail(ExitCode::Usage,
+         "'" + text +
+             "' is not a place: give an experience (17), `here`, or metres right, forward "
+             "and, optionally, up from the start (12.5,-30,6), each at most 1e9");
   }
   id = planning::nearestExperience(firstPart(graph), *place);
   if (id < 0) return End{text, id, std::nullopt};  // the search reports that it is not in the map
@@ -175,37 +164,16 @@ void print(const RoutePlan& plan, const MapGraph& graph) {
   }
 }
 
-/// Warns of a place that is further from the map than the size of the map (and 100 m): the nearest
-/// experience is then probably not the one that was meant.
-void warnOfFarPlaces(const RoutePlan& plan, const MapGraph& graph) {
-  Eigen::AlignedBox3d box;
-  for (const Experience& e : firstPart(graph).experiences) box.extend(planning::placeOf(e));
-  const double extent = box.isEmpty() ? 0 : box.diagonal().norm();
-  constexpr double kBeside = 100;  // m
-  const char* unit = plan.unit();
-  for (const End& end : {plan.from, plan.to}) {
-    if (!end.away_m || *end.away_m <= extent + kBeside) continue;
-    std::cerr << fmt::format(
-        "warning: {} is {:.0f} {} from the map, which is {:.0f} {} large; places are metres right "
-        "and forward of the start\n",
-        end.given, *end.away_m, unit, extent, unit);
-  }
-}
-
 void run(const RouteOptions& options, const Invocation& invocation) {
-  requireRun(options.run);
-  const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
-  const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
+  const auto reader = valueOf(record::RunReader::open(options.run), ExitCode::Dataset);
+  const MapGraph graph = valueOf(reader->graph(), ExitCode::Dataset);
   RoutePlan plan{endOf(options.from, *reader, graph),
                  endOf(options.to, *reader, graph),
-                 valueOrEnd(reader->scaleKnown(), ExitCode::Dataset),
+                 valueOf(reader->scaleKnown(), ExitCode::Dataset),
                  {}};
   const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
-  plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
-  warnOfChangedRecord(*reader, kTablesOfRoute);
-  warnOfRunFiles(options.run);
-  warnOfFarPlaces(plan, graph);
+  plan.route = valueOf(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
   if (invocation.json) {
     std::cout << jsonText(toJson(plan, graph));
   } else {
@@ -216,18 +184,13 @@ void run(const RouteOptions& options, const Invocation& invocation) {
 }  // namespace
 
 void addPlanCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("plan", "The fastest route between two places of a map");
+  CLI::App& command = *app.add_subcommand("plan", "The fastest route between two places of a map");
   auto options = std::make_shared<RouteOptions>();
-  command->add_option("run", options->run, "Run directory")->type_name("RUN")->required();
-  command
-      ->add_option("--from", options->from,
-                   "Start: an experience (17), a place in metres (12.5,-30), or `here`")
-      ->type_name("PLACE")
-      ->required();
-  command->add_option("--to", options->to, "Goal, given like --from")
-      ->type_name("PLACE")
-      ->required();
-  command->callback([options, &invocation] { run(*options, invocation); });
+  addArgument(command, "run", options->run, "RUN", "Run directory");
+  addArgument(command, "--from", options->from, "PLACE",
+              "Start: an experience (17), a place in metres (12.5,-30), or `here`");
+  addArgument(command, "--to", options->to, "PLACE", "Goal, given like --from");
+  command.callback([options, &invocation] { run(*options, invocation); });
 }
 
 }  // namespace tolman::app

@@ -3,21 +3,15 @@
 // `doctor` (opens one file, step by step). `new` and `validate` have source files of their own.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "app/json_schema.hpp"
+#include "app/options.hpp"
 #include "app/parameter_text.hpp"
-#include "app/path_kind.hpp"
-#include "app/program.hpp"
-#include "app/terminal_output.hpp"
 #include "engine/assembly.hpp"
 #include "host/gate.hpp"
 #include "host/remote_plugin.hpp"
@@ -83,15 +77,6 @@ host::LoadedPlugin open(const host::Catalogue& catalogue, const std::string& id)
   return {remote->manifest(), nullptr, remote->schema()};
 }
 
-std::vector<host::LoadedPlugin> openAll(const std::vector<std::string>& ids,
-                                        const Invocation& invocation) {
-  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
-  std::vector<host::LoadedPlugin> opened;
-  opened.reserve(ids.size());
-  for (const std::string& id : ids) opened.push_back(open(catalogue, id));
-  return opened;
-}
-
 /// All installed plugins that this host can use.
 std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
@@ -108,30 +93,25 @@ std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
   return opened;
 }
 
-/// Prints one plugin as an object, several as a list.
-void describeJson(const std::vector<host::LoadedPlugin>& loaded) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
-  std::cout << jsonText(loaded.size() == 1 ? json.front() : json);
-}
-
 void describe(const Description& asked, Invocation& invocation) {
   if (asked.ids.empty()) {
     if (!asked.json_schema) throw CLI::RequiredError("id");
     std::cout << jsonText(fileSchema(openUsable(invocation)));
     return;
   }
-  std::error_code ignored;
-  for (const std::string& id : asked.ids) {  // a folder may have the name of a plugin
-    if (!std::filesystem::is_regular_file(id, ignored)) continue;
-    requireKind(id, {PathKind::PluginLibrary}, "a plugin", ExitCode::Plugin);
-  }
-  const auto loaded = openAll(asked.ids, invocation);
+  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  std::vector<host::LoadedPlugin> loaded;
+  for (const std::string& id : asked.ids) loaded.push_back(open(catalogue, id));
   if (asked.json_schema) {
     std::cout << jsonText(stageSchema(loaded));
     return;
   }
-  if (invocation.json) return describeJson(loaded);
+  if (invocation.json) {  // one plugin as an object, several as a list
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
+    std::cout << jsonText(loaded.size() == 1 ? json.front() : json);
+    return;
+  }
   std::string separator;
   for (const host::LoadedPlugin& plugin : loaded) {
     std::cout << std::exchange(separator, "\n")
@@ -174,42 +154,40 @@ std::vector<Manifest> manifestsOf(const std::string& file, const Invocation& inv
 }
 
 void doctor(const std::string& file, Invocation& invocation) {
-  requireKind(file, {PathKind::PluginLibrary}, kPluginFile, ExitCode::Plugin);
   for (const Manifest& manifest : manifestsOf(file, invocation)) {
     const auto refusal = examine(manifest);
-    if (refusal) invocation.exit_code = printFailure({run::kindOf(*refusal), refusal->text()});
+    if (refusal)
+      invocation.exit_code = printFailure(exitCode(run::kindOf(*refusal)), refusal->text());
   }
 }
 
 }  // namespace
 
 void addPluginsCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("plugins", "List, describe and examine plugins");
-  command->require_subcommand(1);
-  command->fallthrough();
-  command->add_subcommand("list", "Plugins on the search path; opens none of them")
+  CLI::App& command = *app.add_subcommand("plugins", "List, describe and examine plugins");
+  command.require_subcommand(1);
+  command.fallthrough();
+  command.add_subcommand("list", "Plugins on the search path; opens none of them")
       ->callback([&invocation] { list(invocation); });
 
-  CLI::App* one = command->add_subcommand("describe", "Parameters of plugins");
+  CLI::App& describing = *command.add_subcommand("describe", "Parameters of plugins");
   auto asked = std::make_shared<Description>();
-  one->add_option("id", asked->ids, "Plugin ids, or programs such as my_cells.py")
-      ->type_name("PLUGIN");
-  auto* markdown = one->add_flag("--markdown", asked->markdown, "As a reference page");
-  one->add_flag("--json-schema", asked->json_schema,
+  addOption(describing, "id", asked->ids, "PLUGIN", "Plugin ids, or programs such as my_cells.py");
+  auto* markdown = describing.add_flag("--markdown", asked->markdown, "As a reference page");
+  describing
+      .add_flag("--json-schema", asked->json_schema,
                 "As a JSON Schema of one stage, or, without ids, of a whole configuration file")
       ->excludes(markdown);
-  one->callback([asked, &invocation] { describe(*asked, invocation); });
+  describing.callback([asked, &invocation] { describe(*asked, invocation); });
 
-  CLI::App* doctor_command =
-      command->add_subcommand("doctor", "Test step by step whether a plugin library can be opened");
+  CLI::App& examining =
+      *command.add_subcommand("doctor", "Test step by step whether a plugin library can be opened");
   auto file = std::make_shared<std::string>();
-  doctor_command->add_option("file", *file, "Library (*.so), or program such as *.py")
-      ->type_name("FILE")
-      ->required();
-  doctor_command->callback([file, &invocation] { doctor(*file, invocation); });
+  addArgument(examining, "file", *file, "FILE", "Library (*.so), or program such as *.py");
+  examining.callback([file, &invocation] { doctor(*file, invocation); });
 
-  addPluginsNewCommand(*command, invocation);
-  addValidateCommand(*command, invocation);
+  addPluginsNewCommand(command, invocation);
+  addValidateCommand(command, invocation);
 }
 
 }  // namespace tolman::app

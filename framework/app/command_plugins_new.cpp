@@ -3,16 +3,13 @@
 // passes its tests unchanged.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <iostream>
-#include <memory>
-#include <nlohmann/json.hpp>
 
+#include "app/options.hpp"
 #include "app/plugin_template.hpp"
-#include "app/program.hpp"
-#include "app/terminal_output.hpp"
+#include "config/text.hpp"
 #include "engine/checked_system.hpp"
 #include "host/catalogue.hpp"
 
@@ -53,15 +50,6 @@ std::string nextCommands(const Request& request, const fs::path& folder,
       quoted(folder.string()), sdk, program);
 }
 
-/// "source|odometry|...".
-std::string roleChoices() {
-  std::string choices;
-  for (const std::string_view role : kRoleNames) {
-    choices += (choices.empty() ? "" : "|") + std::string(role);
-  }
-  return choices;
-}
-
 /// Refuses the id of a plugin that is on the search path. Two with one id cannot be told apart: the
 /// first is taken, and in another role its id is refused. A program has the name of its file.
 void refuseTaken(const std::string& name, const Invocation& invocation) {
@@ -69,23 +57,22 @@ void refuseTaken(const std::string& name, const Invocation& invocation) {
   const auto& known = catalogue.manifests();
   const auto taken = std::ranges::find(known, name, &host::Manifest::id);
   if (taken == known.end()) return;
-  throw Ended{
-      ExitCode::Usage,
-      fmt::format("'{0}' is the id of a plugin that is installed ({1}, {2}); choose another, "
-                  "such as my_{0}",
-                  name, enumName(taken->role), taken->file.string())};
+  fail(ExitCode::Usage,
+       fmt::format("'{0}' is the id of a plugin that is installed ({1}, {2}); choose another, "
+                   "such as my_{0}",
+                   name, enumName(taken->role), taken->file.string()));
 }
 
 void makePlugin(const Request& request, const Invocation& invocation) {
-  const Role role = valueOrEnd(roleNamed(request.role), ExitCode::Usage);
-  if (const auto objection = objectionTo(request.name)) throw Ended{ExitCode::Usage, *objection};
+  const Role role = *config::valueNamed<Role>(request.role);
+  if (const auto objection = objectionTo(request.name)) fail(ExitCode::Usage, *objection);
   if (!request.python) refuseTaken(request.name, invocation);
   std::error_code ignored;
   const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path templates = valueOrEnd(templateFolder(executable), ExitCode::Record);
+  const fs::path templates = valueOf(templateFolder(executable), ExitCode::Record);
 
   const fs::path folder = request.folder.empty() ? request.name : request.folder;
-  const auto written = valueOrEnd(
+  const auto written = valueOf(
       writeNewPlugin(templates, {role, request.name, folder, request.python}), ExitCode::Record);
   if (invocation.json) {
     nlohmann::ordered_json json = {{"folder", fs::absolute(folder).string()},
@@ -101,19 +88,16 @@ void makePlugin(const Request& request, const Invocation& invocation) {
 }  // namespace
 
 void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation) {
-  CLI::App* command =
-      plugins.add_subcommand("new", "A repository of your own, with a plugin that works");
+  CLI::App& command =
+      *plugins.add_subcommand("new", "A repository of your own, with a plugin that works");
   auto request = std::make_shared<Request>();
-  command->add_option("role", request->role, "Role of the plugin")
-      ->type_name(roleChoices())
+  addChoice(command, "role", request->role, {kRoleNames.begin(), kRoleNames.end()},
+            "Role of the plugin")
       ->required();
-  command->add_option("name", request->name, "Id of the plugin, such as my_places")
-      ->type_name("ID")
-      ->required();
-  command->add_option("dir", request->folder, "Folder to write; default: NAME")
-      ->type_name("FOLDER");
-  command->add_flag("--python", request->python, "One file in Python instead of C++");
-  command->callback([request, &invocation] { makePlugin(*request, invocation); });
+  addArgument(command, "name", request->name, "ID", "Id of the plugin, such as my_places");
+  addOption(command, "dir", request->folder, "FOLDER", "Folder to write; default: NAME");
+  command.add_flag("--python", request->python, "One file in Python instead of C++");
+  command.callback([request, &invocation] { makePlugin(*request, invocation); });
 }
 
 }  // namespace tolman::app

@@ -1,86 +1,163 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman report: figures and one self-contained page about runs, from their records.
-#include <CLI/CLI.hpp>
-#include <filesystem>
+// tolman report: figures and one self-contained page about runs; tolman export: result files, also
+// of a killed run; tolman schema. All of them read records.
+#include <chrono>
 #include <iostream>
-#include <memory>
 
-#include "app/output_files.hpp"
-#include "app/path_kind.hpp"
-#include "app/program.hpp"
+#include "app/options.hpp"
 #include "engine/report_files.hpp"
+#include "host/child_process.hpp"
+#include "record/export.hpp"
+#include "record/output_places.hpp"
+#include "record/reference.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::app {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kMaxUnits = 1'000'000;
 
-/// The options of the units; rows, columns and units are counted from 1.
-struct UnitOptions {
-  std::size_t head_direction = 1;
-  std::vector<std::size_t> grid{1, 1};
-
-  report::UnitChoice choice() const { return {head_direction - 1, grid[0] - 1, grid[1] - 1}; }
-};
-
-std::shared_ptr<UnitOptions> addUnitOptions(CLI::App& command) {
-  auto units = std::make_shared<UnitOptions>();
-  command
-      .add_option("--hd-unit", units->head_direction,
-                  "Head direction unit whose firing rate is drawn, counted from 1 (default: 1)")
-      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
-  command
-      .add_option(
-          "--grid-unit", units->grid,
-          "Row and column, from 1, of the grid unit whose firing rate is drawn (default: 1,1)")
-      ->type_name("ROW,COLUMN")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
-  return units;
+/// The folder of a command about a run: another one must not hold files of these names, unless they
+/// may be replaced. In the directory of the run itself they are Tolman's own.
+void refuseOther(const std::string& run, const fs::path& folder, const std::vector<fs::path>& files,
+                 bool replace) {
+  failUnless(record::refuseFolders(files, "--out"));  // before any is written
+  failUnless(record::RunDirectory::mayTakeFilesOf(run, folder));
+  std::error_code ignored;
+  if (!fs::equivalent(run, folder, ignored)) refuseReplacing(files, replace, "--out");
 }
 
-/// Refuses a folder with another run, or with a report or figures. In the directory of the run
-/// itself they are Tolman's own.
-void refuseOther(const std::string& run, const std::filesystem::path& folder, bool replace) {
-  requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
+struct ReportCommand {
+  std::vector<std::string> runs;
+  Output out;
+  std::size_t head_direction = 1;  ///< rows, columns and units are counted from 1
+  std::vector<std::size_t> grid{1, 1};
+};
+
+void report(const ReportCommand& command, const Invocation& invocation) {
+  const std::string& first = command.runs.front();
+  const fs::path folder = command.out.path.empty() ? first : command.out.path;
+  if (!command.out.path.empty()) {
+    refuseOther(first, folder, {folder / "report.html"}, command.out.replace);
+  }
+  std::vector<std::unique_ptr<record::RunReader>> readers;
+  for (const std::string& run : command.runs) {
+    readers.push_back(valueOf(record::RunReader::open(run)));
+  }
+  const report::UnitChoice units{command.head_direction - 1, command.grid[0] - 1,
+                                 command.grid[1] - 1};
+  printFiles(valueOf(run::writeReport(readers, folder, units)), invocation);
+}
+
+struct ExportCommand {
+  std::string run;
+  Output out;
+  std::int64_t session = -1;
+  bool nwb = false;
+  bool npz = false;
+
+  /// Files of a chosen session go to their own folder: results.sha256 has digests of those in
+  /// `run`.
+  fs::path folder() const {
+    if (!out.path.empty()) return out.path;
+    return session < 0 ? fs::path(run) : fs::path(run) / ("session-" + std::to_string(session));
+  }
+};
+
+/// Lets the Python package `tolman` write run.nwb or run.npz (`kind`), and adds it to `written`.
+/// Its messages go to stderr, and its exit codes for data and record are those of this program.
+void exportByPython(const std::string& kind, const ExportCommand& asked, const char* needs,
+                    std::vector<fs::path>& written, Invocation& invocation) {
+  const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+  const std::string packages =
+      (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
+  const fs::path file = asked.folder() / ("run." + kind);
+  isolation::ChildProcess python(
+      {"/usr/bin/env", "-u", "PYTHONHOME", "PYTHONPATH=" + packages, "/usr/bin/python3", "-m",
+       "tolman." + kind, "--force", "--quiet", asked.run, file.string()},
+      {});
+  const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
+  if (end.signal == 0 && end.exit_code == 0) {
+    written.push_back(file);
+    return;
+  }
+  const auto code = static_cast<ExitCode>(end.exit_code);
+  const bool has_said_why =
+      end.signal == 0 && (code == ExitCode::Dataset || code == ExitCode::Record);
+  invocation.exit_code =
+      printFailure(has_said_why ? code : ExitCode::Record,
+                   "no run." + kind + " was written" +
+                       (has_said_why ? "" : ": Python " + end.text() + "; it needs " + needs));
+}
+
+void exportRun(const ExportCommand& asked, Invocation& invocation) {
+  const bool by_python = asked.nwb || asked.npz;
+  if (asked.session >= 0 && (by_python || asked.out.path == asked.run)) {
+    fail(ExitCode::Usage, "--session writes to a folder of its own, without --nwb and --npz");
+  }
+  const fs::path folder = asked.folder();
+  std::vector<fs::path> files;
+  for (const std::string_view name : record::kExportedFiles) files.push_back(folder / name);
+  if (asked.nwb) files.push_back(folder / "run.nwb");
+  if (asked.npz) files.push_back(folder / "run.npz");
+  if (!asked.out.path.empty()) refuseOther(asked.run, folder, files, asked.out.replace);
+  const auto reader = valueOf(record::RunReader::open(asked.run));
   std::error_code ignored;
-  if (std::filesystem::equivalent(run, folder, ignored)) return;
-  refuseReplacing({folder / "report.html"}, replace, "--out");
-  refuseFilled(folder / "figures", replace, "--out");
+  const bool is_new = fs::create_directories(folder, ignored);
+  auto exported = record::exportRun(*reader, folder, asked.session);
+  if (!exported.isOk() && is_new) fs::remove(folder, ignored);  // if it is empty
+  std::vector<fs::path> written = valueOf(std::move(exported));
+  if (asked.nwb) {
+    exportByPython("nwb", asked, "python3-tolman and python3-h5py", written, invocation);
+  }
+  if (asked.npz) {
+    exportByPython("npz", asked, "python3-tolman and python3-numpy", written, invocation);
+  }
+  printFiles(written, invocation);
 }
 
 }  // namespace
 
 void addReportCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App* command =
-      app.add_subcommand("report", "Figures and a page about runs (finished, running or killed)");
-  auto runs = std::make_shared<std::vector<std::string>>();
-  auto out = std::make_shared<std::string>();
-  command->add_option("run", *runs, "Run directories; several are shown side by side")
-      ->type_name("RUN")
-      ->required();
-  command->add_option("--out", *out, "Folder to write to (default: the first run directory)")
-      ->type_name("FOLDER")
-      ->check(notEmpty);
-  auto replace = std::make_shared<bool>(false);
-  addForce(*command, *replace, "Replace the report that the --out folder holds");
-  const auto units = addUnitOptions(*command);
-  command->callback([runs, out, replace, units, &invocation] {
-    for (const std::string& run : *runs) requireRun(run);
-    const std::filesystem::path folder = out->empty() ? runs->front() : *out;
-    if (!out->empty()) refuseOther(runs->front(), folder, *replace);
-    std::vector<std::unique_ptr<record::RunReader>> readers;
-    for (const std::string& run : *runs) {
-      readers.push_back(valueOrEnd(record::RunReader::open(run)));
-    }
-    printFiles(valueOrEnd(run::writeReport(readers, folder, units->choice())), invocation);
-    for (const auto& reader : readers) {
-      warnOfChangedRecord(*reader);
-      warnOfRunFiles(reader->directory());
-    }
+  CLI::App& command =
+      *app.add_subcommand("report", "Figures and a page about runs (finished, running or killed)");
+  auto options = std::make_shared<ReportCommand>();
+  addArgument(command, "run", options->runs, "RUN",
+              "Run directories; several are shown side by side");
+  options->out.add(command, "FOLDER", "Folder to write to (default: the first run directory)",
+                   "Replace the report that the --out folder holds");
+  addOption(command, "--hd-unit", options->head_direction, "N",
+            "Head direction unit whose firing rate is drawn, counted from 1 (default: 1)")
+      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
+  addOption(command, "--grid-unit", options->grid, "ROW,COLUMN",
+            "Row and column, from 1, of the grid unit whose firing rate is drawn (default: 1,1)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
+  command.callback([options, &invocation] { report(*options, invocation); });
+}
+
+void addExportCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App& command = *app.add_subcommand(
+      "export", "Write trajectories and map of a run (finished, running or killed)");
+  auto asked = std::make_shared<ExportCommand>();
+  addArgument(command, "run", asked->run, "RUN", "Run directory");
+  asked->out.add(command, "FOLDER",
+                 "Folder to write to (default: the run directory; of a session, session-N in it)",
+                 "Replace files in the --out folder");
+  command.add_flag("--nwb", asked->nwb,
+                   "Also run.nwb: Neurodata Without Borders, with seeded spikes");
+  command.add_flag("--npz", asked->npz,
+                   "Also run.npz: tables, trajectories, arrays and rate maps for NumPy");
+  addOption(command, "--session", asked->session, "N",
+            "Session whose trajectories to write, from 0 (default: the run's own)")
+      ->check(notNegative);
+  command.callback([asked, &invocation] { exportRun(*asked, invocation); });
+  app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)")->callback([] {
+    std::cout << record::recordsMarkdown();
   });
 }
 

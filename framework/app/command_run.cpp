@@ -1,61 +1,179 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman run: a whole run, recorded.
-#include "app/exit_guard.hpp"
-#include "app/output_files.hpp"
+// tolman run: a whole run, recorded; tolman check: the same configuration without running it;
+// tolman rerun: the same run again, compared byte for byte.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <map>
+#include <set>
+
+#include "app/options.hpp"
 #include "app/summary.hpp"
-#include "app/system_options.hpp"
 #include "engine/page_observer.hpp"
+#include "engine/run.hpp"
+#include "record/digest.hpp"
 
 namespace tolman::app {
 namespace {
 
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
 struct RunCommand {
-  std::string out;
-  bool replace = false;
-  std::string resume;
+  Output out;
   bool view = false;
   std::string viewer;  ///< id of the observer that --view adds; empty: the first with a page
 };
 
-ExitCode execute(const RunCommand& command, run::SystemOptions options,
-                 const Invocation& invocation) {
-  const run::Interrupts interrupts;  // before anything that starts threads
-  if (command.view) {
-    const host::Catalogue catalogue = run::openCatalogue(options.plugin_paths);
-    options.observers.push_back(run::require(run::findPageObserver(catalogue, command.viewer)));
-  }
-  auto checked = run::require(run::checkSystem(options));
+run::Outcome execute(run::CheckedSystem checked, run::RunOptions options,
+                     const Invocation& invocation, const run::Interrupts& interrupts) {
+  options.command_line = invocation.command_line;
+  options.exit_code = [](const run::Outcome& o) { return static_cast<int>(exitCode(o)); };
   run::RunLog log(invocation.quiet);
   const run::SteadyClock clock;
-  run::Run run(log, clock, interrupts,
-               {command.out, command.replace, command.resume, invocation.command_line, false,
-                [](const run::Outcome& outcome) { return static_cast<int>(exitCode(outcome)); }});
-  const ExitGuard guard;
-  const run::Outcome outcome = run.execute(std::move(checked));
-  return printOutcome(outcome, invocation);
+  return run::Run(log, clock, interrupts, std::move(options)).execute(std::move(checked));
+}
+
+ExitCode runSystem(const RunCommand& command, const SystemOptionsReader& reader,
+                   const Invocation& invocation) {
+  run::SystemOptions system = reader.read(invocation);
+  const run::Interrupts interrupts;  // before anything that starts threads
+  if (command.view) {
+    const host::Catalogue catalogue = run::openCatalogue(system.plugin_paths);
+    system.observers.push_back(run::require(run::findPageObserver(catalogue, command.viewer)));
+  }
+  run::RunOptions options;
+  options.out = command.out.path;
+  options.replace = command.out.replace;
+  options.resume = reader.resumed();
+  return printOutcome(
+      execute(run::require(run::checkSystem(system)), options, invocation, interrupts), invocation);
+}
+
+void check(const SystemOptionsReader& reader, bool explain, const Invocation& invocation) {
+  run::SystemOptions system = reader.read(invocation);
+  system.apart = true;
+  const auto checked = run::require(run::checkSystem(system));
+  const std::string& continued = checked.config.general.continue_from;
+  if (!continued.empty()) {  // otherwise it would be refused only when the run begins
+    (void)run::require(record::RunReader::open(continued), run::FailureKind::Continuation);
+  }
+  if (explain) {
+    std::cout << config::explain(checked.config, checked.values);
+  } else if (invocation.json) {
+    std::cout << R"({"sound": true, "stages": )" << checked.config.stages.size() << "}\n";
+  } else if (!invocation.quiet) {
+    std::cout << "sound: " << checked.config.stages.size() << " stages\n";
+  }
+}
+
+struct RerunCommand {
+  std::string run;
+  Output out;
+  bool verify = false;
+};
+
+/// The digests of results.sha256; there must be some.
+std::map<std::string, std::string> expectedDigests(const fs::path& run) {
+  auto digests = record::resultsDigests(run);
+  if (!digests.empty()) return digests;
+  fail(ExitCode::Dataset, (run / "results.sha256").string() + ": has no digests");
+}
+
+ExitCode compare(const fs::path& before, const fs::path& after, const Invocation& invocation) {
+  const auto expected = expectedDigests(before);
+  const auto found = record::resultsDigests(after);
+  std::set<std::string> names;
+  for (const auto* digests : {&expected, &found}) {
+    for (const auto& [file, digest] : *digests) names.insert(file);
+  }
+  Json files = Json::object();
+  bool same = true;
+  for (const std::string& file : names) {
+    const bool in_both = expected.contains(file) && found.contains(file);
+    const bool is_same = in_both && expected.at(file) == found.at(file);
+    files[file] = is_same ? "same" : in_both ? "differs" : "is in one of the runs only";
+    same = same && is_same;
+  }
+  if (invocation.json) {
+    std::cout << jsonText(Json{{"same", same}, {"files", files}});
+  } else if (!invocation.quiet) {
+    for (const auto& [file, text] : files.items()) {
+      std::cout << fmt::format("{:<20}{}\n", file, text.get<std::string>());
+    }
+  }
+  if (same) return ExitCode::Ok;
+  return printFailure(ExitCode::Record,
+                      after.string() + ": its results are not those of " + before.string() +
+                          "; compare the two run.json for other data, programs or machines");
+}
+
+ExitCode rerun(const RerunCommand& command, const Invocation& invocation) {
+  const run::Interrupts interrupts;
+  fs::path before = fs::absolute(command.run).lexically_normal();
+  if (!before.has_filename()) before = before.parent_path();
+  if (fs::exists(before / "point.json")) before /= "run";  // one run of a sweep
+  const fs::path out = command.out.path.empty() ? before.string() + "-again" : command.out.path;
+  std::error_code ignored;
+  if (fs::equivalent(before, out, ignored)) {
+    fail(ExitCode::Usage, out.string() + ": is the run itself; give another folder with --out");
+  }
+  const fs::path config = before / "config.resolved.yaml";
+  if (!fs::exists(config, ignored)) {
+    fail(ExitCode::Configuration,
+         command.run + ": " +
+             config::absence(config,
+                             "is no run directory, it holds no config.resolved.yaml; give "
+                             "the folder that a run has written"));
+  }
+  if (command.verify) (void)expectedDigests(before);
+  run::SystemOptions system{config.string(), {}, invocation.plugin_paths};
+  system.quiet = invocation.quiet;
+  run::RunOptions options;
+  options.out = out;
+  options.replace = command.out.replace;
+  const run::Outcome outcome =
+      execute(run::require(run::checkSystem(system)), options, invocation, interrupts);
+  const bool is_whole = !outcome.interrupted && !outcome.failure;
+  return command.verify && is_whole ? compare(before, out, invocation)
+                                    : printOutcome(outcome, invocation);
 }
 
 }  // namespace
 
 void addRunCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("run", "Run a configuration and record everything");
-  auto options = std::make_shared<SystemOptionsReader>(*command);
-  auto run = std::make_shared<RunCommand>();
-  command->add_option("--out", run->out, "Run directory (default: runs/NAME-TIME)")
-      ->type_name("FOLDER")
-      ->check(notEmpty);
-  addForce(*command, run->replace, "Replace the run that the --out directory holds");
-  options->addContinue(*command);
-  auto* view = command->add_flag("--view", run->view, "Show the run in the browser");
-  command
-      ->add_option("--viewer", run->viewer,
-                   "Observer that --view adds (default: the first by id that serves a page)")
-      ->type_name("OBSERVER")
+  CLI::App& command = *app.add_subcommand("run", "Run a configuration and record everything");
+  auto reader = std::make_shared<SystemOptionsReader>(command);
+  auto options = std::make_shared<RunCommand>();
+  CLI::Option* out = options->out.add(command, "FOLDER", "Run directory (default: runs/NAME-TIME)",
+                                      "Replace the run that the --out directory holds");
+  reader->addContinue();
+  command.get_option("--resume")->excludes(out)->excludes(command.get_option("--force"));
+  auto* view = command.add_flag("--view", options->view, "Show the run in the browser");
+  addOption(command, "--viewer", options->viewer, "OBSERVER",
+            "Observer that --view adds (default: the first by id that serves a page)")
       ->needs(view);
-  command->callback([options, run, &invocation] {
-    run->resume = options->resumed();
-    invocation.exit_code = execute(*run, options->read(invocation), invocation);
+  command.callback([options, reader, &invocation] {
+    invocation.exit_code = runSystem(*options, *reader, invocation);
   });
+}
+
+void addCheckCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App& command = *app.add_subcommand("check", "Check a configuration without running it");
+  auto reader = std::make_shared<SystemOptionsReader>(command);
+  auto explain = std::make_shared<bool>(false);
+  command.add_flag("--explain", *explain, "Print every value with its origin");
+  command.callback([reader, explain, &invocation] { check(*reader, *explain, invocation); });
+}
+
+void addRerunCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App& command = *app.add_subcommand("rerun", "Run the configuration of a run again");
+  auto options = std::make_shared<RerunCommand>();
+  addArgument(command, "run", options->run, "RUN", "Run directory");
+  options->out.add(command, "FOLDER", "Directory of the new run (default: RUN-again)",
+                   "Replace the run that the --out directory holds");
+  command.add_flag("--verify", options->verify, "Compare the results byte for byte");
+  command.callback([options, &invocation] { invocation.exit_code = rerun(*options, invocation); });
 }
 
 }  // namespace tolman::app

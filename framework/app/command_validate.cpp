@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman plugins validate: the conformance kit at the command line.
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 
-#include "app/path_kind.hpp"
-#include "app/program.hpp"
-#include "app/source_overrides.hpp"
-#include "app/terminal_output.hpp"
+#include "app/options.hpp"
 #include "conformance/kit.hpp"
 #include "conformance/report_text.hpp"
 #include "conformance/run_check.hpp"
@@ -63,7 +58,7 @@ ConformanceReport refused(const KitOptions& options, const host::Refusal& refusa
   return {options.file, options.id, "", options.level, options.seed, {manifest}};
 }
 
-ExitCode exitCode(const ConformanceReport& report) {
+ExitCode codeOf(const ConformanceReport& report) {
   if (report.conforms()) return ExitCode::Ok;
   const conformance::CheckResult& last = report.checks.back();
   const bool settings = last.check == "settings" && last.severity() == CheckSeverity::Error;
@@ -98,7 +93,7 @@ void validate(KitOptions options, Invocation& invocation) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const ConformanceReport& report : reports) {
     all.push_back(conformance::json(report));
-    if (invocation.exit_code == ExitCode::Ok) invocation.exit_code = exitCode(report);
+    if (invocation.exit_code == ExitCode::Ok) invocation.exit_code = codeOf(report);
   }
   if (invocation.json) std::cout << jsonText(all);
 }
@@ -112,43 +107,36 @@ std::vector<std::string> checkIds() {
 }  // namespace
 
 void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
-  CLI::App* command =
-      plugins.add_subcommand("validate", "Check whether a plugin keeps the contract");
+  CLI::App& command =
+      *plugins.add_subcommand("validate", "Check whether a plugin keeps the contract");
   auto options = std::make_shared<KitOptions>();
-  command->add_option("file", options->file, "Library, *.so, or a program such as *.py")
-      ->type_name("FILE")
-      ->required();
-  command->add_option("--id", options->id, "One plugin of the library; else all")->type_name("ID");
-  command->add_option("--level", options->level, "1 contract, 2 reproducible results, 3 all checks")
-      ->type_name("1|2|3")
+  addArgument(command, "file", options->file, "FILE", "Library, *.so, or a program such as *.py");
+  addOption(command, "--id", options->id, "ID", "One plugin of the library; else all");
+  addOption(command, "--level", options->level, "1|2|3",
+            "1 contract, 2 reproducible results, 3 all checks")
       ->check(CLI::Range(1, 3))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of the images and random parameters")
+  addOption(command, "--seed", options->seed, "N", "Seed of the images and random parameters")
       ->capture_default_str();
-  command->add_option("--set", options->set, "A parameter, key=value (repeatable)")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-  command->add_option("--check", options->only, "Only this check (repeatable)")
-      ->type_name("NAME")
-      ->allow_extra_args(false)
+  addList(command, "--set", options->set, "NAME=VALUE", "A parameter, key=value (repeatable)");
+  addList(command, "--check", options->only, "NAME", "Only this check (repeatable)")
       ->check(CLI::IsMember(checkIds()));
-  command->add_option("--timeout", options->timeout, "Seconds for each check")
+  addOption(command, "--timeout", options->timeout, "S", "Seconds for each check")
       ->check(positive)
       ->capture_default_str();
-  command->add_option("--memory", options->memory_mib, "MiB for each check; 0 for no limit")
+  addOption(command, "--memory", options->memory_mib, "MIB", "MiB for each check; 0 for no limit")
       ->capture_default_str();
-  command->callback([options, &invocation] {
-    requireKind(options->file, {PathKind::PluginLibrary}, kPluginFile, ExitCode::Plugin);
+  command.callback([options, &invocation] {
     refuseTwoValues(options->set);
     options->program = {std::filesystem::read_symlink("/proc/self/exe").string(), "plugins",
                         "run-check"};
     validate(*options, invocation);
   });
 
-  CLI::App* inside = plugins.add_subcommand("run-check", "Run one check (internal)")->group("");
+  CLI::App& inside = *plugins.add_subcommand("run-check", "Run one check (internal)")->group("");
   auto task = std::make_shared<std::string>();
-  inside->add_option("task", *task)->required();
-  inside->callback([task] { conformance::runCheck(*task); });
+  addArgument(inside, "task", *task, "TASK", "");
+  inside.callback([task] { conformance::runCheck(*task); });
 }
 
 }  // namespace tolman::app

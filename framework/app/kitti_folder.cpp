@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <fstream>
-#include <optional>
 #include <system_error>
 
 #include "app/png_encoder.hpp"
@@ -20,8 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kImageFolders = {"image_0", "image_1", "image_2",
-                                                           "image_3", "depth_0"};
+constexpr std::array kImageFolders = {"image_0", "image_1", "image_2", "image_3", "depth_0"};
 constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
 
 /// Marks a folder as a rendering. It is written first, because --force replaces only marked
@@ -29,22 +25,6 @@ constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops
 constexpr const char* kMark = ".tolman-rendering";
 constexpr const char* kMarkText =
     "`tolman dataset render` wrote this folder; --force may replace it.\n";
-
-/// What a finished rendering has written: its second line of the mark, "frames: 5 image_0 image_1".
-struct WrittenImages {
-  std::int64_t frames = 0;
-  std::set<std::string> folders;
-};
-
-std::optional<WrittenImages> writtenImages(const fs::path& folder) {
-  std::ifstream mark(folder / kMark);
-  std::string line;
-  std::string word;
-  WrittenImages written;
-  if (!std::getline(mark, line) || !(mark >> word >> written.frames)) return std::nullopt;
-  while (mark >> word) written.folders.insert(word);
-  return written;
-}
 
 std::string imageName(std::int64_t index) { return fmt::format("{:06}.png", index); }
 
@@ -57,53 +37,29 @@ bool isOurs(const fs::path& file) {
          name.find_first_not_of("0123456789") == name.size() - 4;
 }
 
-/// Whether the file is one of the first `frames` images.
-bool isAmong(std::int64_t frames, const fs::path& file) {
-  const std::string stem = file.stem().string();
-  std::int64_t index = -1;
-  std::from_chars(stem.data(), stem.data() + stem.size(), index);
-  return index >= 0 && index < frames && file.filename() == imageName(index);
-}
-
-bool hasNothingButMark(const fs::path& folder) {
-  std::error_code failure;
-  const fs::directory_iterator entries(folder, failure);
-  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
-    return entry.path().filename() == kMark;
-  });
-}
-
 /// Ok for an empty folder, and with `replace` for an earlier rendering.
 Status mayBeWritten(const fs::path& folder, bool replace) {
   std::error_code failure;
-  if (hasNothingButMark(folder)) return Status::ok();
+  if (fs::is_empty(folder, failure)) return Status::ok();
   if (!replace) {
     return Status::failed(folder.string() +
                           ": is not empty; choose another --out, or give --force to replace an "
                           "earlier rendering");
   }
-  if (!fs::is_regular_file(folder / kMark, failure)) {
-    return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
-                          "), so --force does not replace it; choose another --out");
-  }
-  std::vector<fs::path> texts;
-  texts.reserve(kTextFiles.size());
-  for (const std::string_view name : kTextFiles) texts.push_back(folder / name);
-  const Status status = record::refuseFolders(texts, "--out");
-  return status.isOk() ? record::refuseLinks(folder, kImageFolders) : status;
+  if (fs::is_regular_file(folder / kMark, failure)) return Status::ok();
+  return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
+                        "), so --force does not replace it; choose another --out");
 }
 
-/// Of an unfinished rendering it is not known which images it wrote: all that have such names.
+/// Removes the files of an earlier rendering, and links in place of its folders.
 void removeEarlier(const fs::path& folder) {
   std::error_code ignored;
-  const auto written = writtenImages(folder);
   for (const char* name : kTextFiles) fs::remove(folder / name, ignored);
-  for (const std::string_view name : kImageFolders) {
-    if (written && !written->folders.contains(std::string(name))) continue;
+  for (const char* name : kImageFolders) {
+    if (fs::is_symlink(folder / name)) fs::remove(folder / name, ignored);
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
-      const bool is_ours = written ? isAmong(written->frames, entry.path()) : isOurs(entry.path());
-      if (is_ours) files.push_back(entry.path());
+      if (isOurs(entry.path())) files.push_back(entry.path());
     }
     for (const fs::path& file : files) fs::remove(file, ignored);
     fs::remove(folder / name, ignored);  // fails if other files are in it
@@ -172,10 +128,6 @@ Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
 Status KittiFolder::writeImage(const char* name, std::int64_t index,
                                const Result<std::string>& png) const {
   if (!png.isOk()) return png.status();
-  {
-    const std::lock_guard lock(written_->mutex);
-    written_->folders.insert(name);
-  }
   std::error_code failure;
   fs::create_directory(folder_ / name, failure);
   // Without sync: ten thousand syncs take minutes, and `tolman dataset check` finds an image that a
@@ -215,10 +167,8 @@ Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
   const Status calibration =
       rig.calibrated ? record::writeAtomically(folder_ / "calib.txt", calibrationText(rig))
                      : Status::ok();
-  std::string mark = kMarkText + fmt::format("frames: {}", log.stamps_ns.size());
-  for (const std::string& folder : written_->folders) mark += " " + folder;
-  return firstFailure({calibration, record::writeAtomically(folder_ / kMark, mark + "\n"),
-                       record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
+  return firstFailure(
+      {calibration, record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
 }
 
 }  // namespace tolman::dataset

@@ -4,9 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <mutex>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -54,14 +51,8 @@ class KittiFolder {
       : folder_(std::move(folder)), lock_(std::move(lock)) {}
   Status writeImage(const char* name, std::int64_t index, const Result<std::string>& png) const;
 
-  struct Written {
-    std::mutex mutex;
-    std::set<std::string> folders;  ///< of images
-  };
-
   std::filesystem::path folder_;
   record::FileDescriptor lock_;
-  std::unique_ptr<Written> written_ = std::make_unique<Written>();
 };
 
 }  // namespace tolman::dataset

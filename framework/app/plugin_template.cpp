@@ -12,8 +12,6 @@
 #include <sstream>
 #include <system_error>
 
-#include "config/named_value.hpp"
-#include "config/nearest_name.hpp"
 #include "record/atomic_file.hpp"
 #include "record/output_places.hpp"
 #include "tolman/version.hpp"
@@ -25,28 +23,12 @@ namespace {
 
 constexpr std::size_t kLongestName = 40;
 constexpr const char* kSuffix = ".in";
-/// Files of a repository that a plugin's own files would overwrite.
-constexpr std::array kTakenNames = {"plugin", "test_context"};
+/// Other files of a repository, and Python's None, True and False.
+constexpr std::array<std::string_view, 5> kTakenNames = {"plugin", "test_context", "none", "true",
+                                                         "false"};
 
 bool isSmall(char c) { return c >= 'a' && c <= 'z'; }
 bool isLegal(char c) { return isSmall(c) || (c >= '0' && c <= '9') || c == '_'; }
-
-/// The nearest legal name to what was meant: "MyPlaces-2" to "my_places_2".
-std::string legalised(const std::string& name) {
-  std::string legal;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto c = static_cast<unsigned char>(name[i]);
-    const bool begins_word =
-        std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
-    const char small = std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';
-    if (begins_word) legal += '_';
-    if (small != '_' || !legal.ends_with('_')) legal += small;
-  }
-  while (!legal.empty() && !isSmall(legal.front())) legal.erase(0, 1);
-  legal.resize(std::min(legal.size(), kLongestName));
-  while (legal.ends_with('_')) legal.pop_back();
-  return legal;
-}
 
 Result<std::string> readFile(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -103,24 +85,17 @@ Status checkFree(const fs::path& folder) {
                         "it");
 }
 
-/// Makes the folder, and tells why it cannot be made or written, with the folder at fault.
+/// Makes the folder; the failure names it, and the remedy.
 Status makeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  fs::path at_fault = fs::absolute(folder);
-  if (error) {
-    std::error_code ignored;
-    do {
-      at_fault = at_fault.parent_path();
-    } while (at_fault.has_relative_path() && !fs::exists(at_fault, ignored));
-  } else if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+  if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0) {
     error.assign(errno, std::generic_category());
   }
   if (!error) return Status::ok();
-  return Status::failed(fmt::format(
-      "{}: the plugin's folder cannot be written: {} ({}); make that folder writable (`ls -ld {}` "
-      "shows its rights), or name another one: tolman plugins new ROLE NAME FOLDER",
-      folder.string(), at_fault.string(), error.message(), at_fault.string()));
+  return Status::failed(folder.string() + ": the plugin's folder cannot be written (" +
+                        error.message() +
+                        "); name another one: tolman plugins new ROLE NAME FOLDER");
 }
 
 }  // namespace
@@ -130,26 +105,15 @@ std::optional<std::string> objectionTo(const std::string& name) {
                      std::all_of(name.begin(), name.end(), isLegal) &&
                      name.find("__") == std::string::npos && name.size() <= kLongestName;
   if (!legal) {
-    const std::string proposal = legalised(name);
     return fmt::format(
         "'{}' cannot be the name of a plugin: it takes small letters, digits and single "
-        "underscores, begins with a letter and has {} of them at most; {}",
-        name, kLongestName, proposal.empty() ? "choose such a name" : "try '" + proposal + "'");
+        "underscores, begins with a letter and has {} of them at most, as my_places",
+        name, kLongestName);
   }
-  if (std::find(kTakenNames.begin(), kTakenNames.end(), name) != kTakenNames.end()) {
-    return "'" + name + "' is the name of another file of the repository; try 'my_" + name + "'";
-  }
-  if (name == "none" || name == "true" || name == "false") {  // Python's None, True, False
-    return "'" + name + "' would name a class that Python has already; try 'my_" + name + "'";
+  if (std::ranges::find(kTakenNames, name) != kTakenNames.end()) {
+    return "'" + name + "' has another meaning in the repository; try 'my_" + name + "'";
   }
   return std::nullopt;
-}
-
-Result<Role> roleNamed(const std::string& name) {
-  if (const auto role = config::valueNamed<Role>(name)) return *role;
-  const std::vector<std::string> roles(kRoleNames.begin(), kRoleNames.end());
-  return Status::invalidParameter("there is no role '" + name + "'; a plugin is one of " +
-                                  config::listed(roles) + config::didYouMean(name, roles));
 }
 
 std::string className(const std::string& id) {

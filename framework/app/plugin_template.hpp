@@ -16,9 +16,6 @@ namespace tolman::app {
 /// Why `name` cannot be the id of a plugin, with the remedy; nothing when it can.
 std::optional<std::string> objectionTo(const std::string& name);
 
-/// The role of this name; otherwise a failure that lists all roles.
-Result<Role> roleNamed(const std::string& name);
-
 /// "my_places" to "MyPlaces".
 std::string className(const std::string& id);
 

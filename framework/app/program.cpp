@@ -5,30 +5,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <filesystem>
+#include <array>
 #include <iostream>
 #include <new>
-#include <optional>
-#include <string_view>
-#include <system_error>
 
-#include "app/help_texts.hpp"
-#include "app/help_tree.hpp"
-#include "app/memory_reserve.hpp"
-#include "app/out_of_memory_end.hpp"
-#include "app/terminal_output.hpp"
-#include "config/nearest_name.hpp"
-#include "config/paths.hpp"
+#include "app/options.hpp"
+#include "config/json_text.hpp"
+#include "config/text.hpp"
 #include "engine/build_info.hpp"
+#include "engine/run.hpp"
+#include "engine/services.hpp"
 #include "engine/terminal.hpp"
-#include "host/manifest.hpp"
+#include "host/plugin_process.hpp"
+#include "record/artefacts.hpp"
 #include "record/atomic_file.hpp"
-#include "record/export.hpp"
-#include "record/run_check.hpp"
-#include "record/run_directory.hpp"
-#include "record/run_reader.hpp"
 
 namespace tolman::app {
 namespace {
@@ -41,36 +31,39 @@ void addExamples(CLI::App& app, const std::string& command) {
   }
 }
 
-std::string versionText() {
-  return std::string("tolman ") + run::kVersion + " (" + run::kRevision + ")";
-}
-
-/// `help`, which `wordsOf` has replaced before anything is parsed, `version`, and `help-tree`.
+/// `help`, which wordsOf() has replaced before anything is parsed, and `version`.
 void addWordCommands(CLI::App& app, const Invocation& invocation) {
-  CLI::App* help = app.add_subcommand("help", "The options of a command; same as COMMAND --help");
-  help->add_option("command", "Command, such as run or plugins describe")
+  const std::string version = std::string("tolman ") + run::kVersion + " (" + run::kRevision + ")";
+  app.set_version_flag("--version", version);
+  app.add_subcommand("help", "The options of a command; same as COMMAND --help")
+      ->add_option("command", "Command, such as run or plugins describe")
       ->type_name("COMMAND")
       ->expected(0, -1);
-  app.add_subcommand("version", "Version of the program; same as --version")->callback([&] {
-    const nlohmann::ordered_json json = {{"version", run::kVersion}, {"revision", run::kRevision}};
-    std::cout << (invocation.json ? jsonText(json) : versionText() + "\n");
-  });
-  app.add_subcommand("help-tree", "All commands and options as JSON (internal)")
-      ->group("")
-      ->callback([&app] { std::cout << helpTree(app).dump(1) << "\n"; });
+  app.add_subcommand("version", "Version of the program; same as --version")
+      ->callback([&invocation, version] {
+        const nlohmann::ordered_json json = {{"version", run::kVersion},
+                                             {"revision", run::kRevision}};
+        std::cout << (invocation.json ? jsonText(json) : version + "\n");
+      });
 }
 
-std::optional<double> finiteNumber(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+/// The process of an isolated stage.
+void addStageCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("run-stage")->group("");  // hidden
+  auto descriptors = std::make_shared<std::vector<int>>();
+  command->add_option("descriptors", *descriptors)->required()->expected(5);
+  command->callback([descriptors] {
+    const run::SteadyClock clock;
+    isolation::runPluginProcess(
+        *descriptors, {clock, [](const auto& directory, const auto& instance) {
+                         return std::make_unique<record::ArtefactFolder>(directory, instance);
+                       }});
+  });
 }
 
 /// The words behind `tolman`, with `help COMMAND` as `COMMAND --help`.
-std::vector<std::string> wordsOf(int argc, const char* const* argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
+std::vector<std::string> wordsOf(const std::vector<std::string>& command_line) {
+  std::vector<std::string> words(command_line.begin() + 1, command_line.end());
   auto command = words.begin();
   while (command != words.end() && command->starts_with('-')) {
     command += *command == "--plugin-path" && command + 1 != words.end() ? 2 : 1;
@@ -96,57 +89,48 @@ std::string unknownCommand(const CLI::App& app) {
          (suggestion.empty() ? "; it is one of: " + config::listed(names) : suggestion);
 }
 
-/// Creating a thread without memory for its stack fails with "Resource temporarily unavailable".
-std::string systemErrorText(const std::system_error& error) {
-  if (error.code() == std::errc::resource_unavailable_try_again ||
-      error.code() == std::errc::not_enough_memory) {
-    return "tolman: out of memory or of threads; give it more (`ulimit -v`, `ulimit -u`)";
-  }
-  return std::string("tolman: internal error: ") + error.what();
-}
-
-bool hasWorkingDirectory() {
-  std::error_code ignored;
-  return !std::filesystem::current_path(ignored).empty();
-}
-
-int parse(CLI::App& app, std::vector<std::string> words) {
+ExitCode parse(CLI::App& app, std::vector<std::string> words, const Invocation& invocation) {
   try {
     std::ranges::reverse(words);  // CLI11 expects the last word first
     app.parse(words);
+    if (std::cout.flush() || invocation.exit_code != ExitCode::Ok) return invocation.exit_code;
+    return printFailure(ExitCode::Record,
+                        "the output cannot be written; look for a full disk or a closed pipe");
   } catch (const CLI::ParseError& error) {
     const std::string unknown = unknownCommand(app);
-    if (!unknown.empty()) return static_cast<int>(printFailure(ExitCode::Usage, unknown));
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Usage);
+    if (!unknown.empty()) return printFailure(ExitCode::Usage, unknown);
+    return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
+  } catch (const CLI::Error& error) {  // of fail()
+    return printFailure(static_cast<ExitCode>(error.get_exit_code()), error.what());
   } catch (const run::Failed& failed) {
-    return static_cast<int>(printFailure(failed.failure));
-  } catch (const Ended& ended) {
-    return static_cast<int>(printFailure(ended.code, ended.message));
+    return printFailure(exitCode(failed.failure.kind), failed.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string path = error.path1().string();
+    return printFailure(ExitCode::Dataset,
+                        (path.empty() ? "" : path + ": ") + error.code().message());
   } catch (const std::bad_alloc&) {
-    return static_cast<int>(printFailure(ExitCode::Internal, std::string(kOutOfMemory)));
-  } catch (const std::system_error& error) {
-    if (error.code() == std::errc::filename_too_long) {
-      const char* text = "a path of the command line is too long for the file system";
-      return static_cast<int>(printFailure(ExitCode::Usage, text));
-    }
-    if (!hasWorkingDirectory()) {
-      const char* text = "the working directory no longer exists; change to one that does";
-      return static_cast<int>(printFailure(ExitCode::Usage, text));
-    }
-    if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
-      const std::string text = of_file->path1().string() + ": " +
-                               config::absence(of_file->path1(), error.code().message());
-      return static_cast<int>(printFailure(ExitCode::Dataset, text));
-    }
-    return static_cast<int>(printFailure(ExitCode::Internal, systemErrorText(error)));
+    throw;
   } catch (const std::exception& error) {  // a defect of the host, not of its input data
-    const std::string text = std::string("tolman: internal error: ") + error.what();
-    return static_cast<int>(printFailure(ExitCode::Internal, text));
+    return printFailure(ExitCode::Internal, std::string("tolman: internal error: ") + error.what());
   }
-  return 0;
 }
 
 }  // namespace
+
+ExitCode exitCode(run::FailureKind kind) {
+  constexpr std::array kCodes = {ExitCode::Configuration, ExitCode::Plugin,     ExitCode::Dataset,
+                                 ExitCode::PluginFailed,  ExitCode::Record,     ExitCode::Session,
+                                 ExitCode::Internal,      ExitCode::Interrupted};
+  static_assert(kCodes.size() == run::kFailureKindNames.size());
+  return kCodes.at(static_cast<std::size_t>(kind));
+}
+
+ExitCode exitCode(const run::Outcome& outcome) {
+  if (outcome.failure) return exitCode(outcome.failure->kind);
+  if (outcome.interrupted) return ExitCode::Interrupted;
+  const pipeline::RunCounters& n = outcome.counters;
+  return n.lost_at_end || n.neverTracked() ? ExitCode::TrackingLost : ExitCode::Ok;
+}
 
 ExitCode exitCode(const Status& status) {
   const StatusCode code = status.code();
@@ -155,66 +139,45 @@ ExitCode exitCode(const Status& status) {
                                               : ExitCode::Record;
 }
 
-int runProgram(int argc, const char* const* argv) {
-  const MemoryReserve for_the_end;
-  const OutOfMemoryEnd without_signal;
+void fail(ExitCode code, const std::string& message) {
+  throw CLI::Error("Failed", message, static_cast<int>(code));
+}
+
+void failUnless(const Status& status) {
+  if (!status.isOk()) fail(exitCode(status), status.message());
+}
+
+int runProgram(const std::vector<std::string>& command_line) {
   CLI::App app{"Tolman: neurobiologically inspired visual SLAM from swappable plugins.", "tolman"};
-  app.set_version_flag("--version", versionText());
   app.require_subcommand(1);
+  app.fallthrough();
   Invocation invocation;
-  invocation.command_line.assign(argv, argv + argc);
-  app.add_option("--plugin-path", invocation.plugin_paths,
-                 "Folder or library to search first for plugins (repeatable)")
-      ->type_name("PATH")
-      ->check(pluginPlace)
-      ->allow_extra_args(false);
+  invocation.command_line = command_line;
+  addList(app, "--plugin-path", invocation.plugin_paths, "PATH",
+          "Folder or library to search first for plugins (repeatable)")
+      ->check(CLI::ExistingPath);
   app.add_flag("--json", invocation.json, "Machine-readable output on stdout");
   app.add_flag("-q,--quiet", invocation.quiet, "Only errors");
-  app.fallthrough();
-  addRunCommand(app, invocation);
-  addCheckCommand(app, invocation);
-  addPluginsCommand(app, invocation);
-  addInitCommand(app, invocation);
-  addDatasetCommand(app, invocation);
-  addBenchCommand(app, invocation);
-  addEvalCommand(app, invocation);
-  addExportCommand(app, invocation);
-  addReportCommand(app, invocation);
-  addViewCommand(app, invocation);
-  addPlanCommand(app, invocation);
-  addSweepCommand(app, invocation);
-  addCompareCommand(app, invocation);
-  addRerunCommand(app, invocation);
+  for (const auto add :
+       {addRunCommand, addCheckCommand, addPluginsCommand, addInitCommand, addDatasetCommand,
+        addBenchCommand, addEvalCommand, addExportCommand, addReportCommand, addViewCommand,
+        addPlanCommand, addSweepCommand, addCompareCommand, addRerunCommand}) {
+    add(app, invocation);
+  }
   addWordCommands(app, invocation);
   addStageCommand(app);
-  addProbeCommand(app, invocation);
   addExamples(app, "tolman");
-  int code = parse(app, wordsOf(argc, argv));
-  if (code == 0) code = static_cast<int>(invocation.exit_code);
-  if (std::cout.flush() || code != 0) return code;
-  const char* text = "the output cannot be written; look for a full disk or a closed pipe";
-  return static_cast<int>(printFailure(ExitCode::Record, text));
+  return static_cast<int>(parse(app, wordsOf(command_line), invocation));
 }
 
-void requireOrEnd(const Status& status) {
-  if (!status.isOk()) throw Ended{exitCode(status), status.message()};
+ExitCode printFailure(ExitCode code, const std::string& message) {
+  std::cerr << run::wipedLine(STDERR_FILENO) + run::printable(message) +
+                   (message.ends_with('\n') ? "" : "\n");
+  return code;
 }
 
-void warnOfRunFiles(const std::string& run) {
-  const auto run_file = record::RunDirectory::readRunFile(run);
-  for (const Status& status : {record::RunDirectory::checkRunFile(run),
-                               record::checkConfig(run, run_file), record::checkEndFiles(run)}) {
-    if (!status.isOk()) std::cerr << "warning: " + run::printable(status.message()) + "\n";
-  }
-}
-
-void warnOfChangedRecord(const record::RunReader& reader,
-                         std::span<const std::string_view> tables) {
-  const Status status = record::checkRows(reader, tables);
-  if (!status.isOk()) {
-    std::cerr << "warning: " + run::printable(status.message()) +
-                     "; this output is of the changed record\n";
-  }
+std::string jsonText(const nlohmann::ordered_json& json) {
+  return config::jsonText(json, 2) + "\n";
 }
 
 void printFiles(const std::vector<std::filesystem::path>& files, const Invocation& invocation) {
@@ -225,37 +188,6 @@ void printFiles(const std::vector<std::filesystem::path>& files, const Invocatio
     if (!invocation.json && !invocation.quiet) std::cout << file.string() << "\n";
   }
   if (invocation.json) std::cout << jsonText({{"files", list}});
-}
-
-std::string positive(const std::string& value) {
-  return finiteNumber(value).value_or(0) > 0 ? "" : "must be a number above 0";
-}
-
-std::string notNegative(const std::string& value) {
-  return finiteNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
-}
-
-std::string pluginPlace(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
-    return "'" + path + "' " + config::absence(path, "does not exist");
-  }
-  if (std::filesystem::is_directory(path, ignored)) return "";
-  const auto read = host::readManifests(path);
-  const auto* refusal = std::get_if<host::Refusal>(&read);
-  return refusal == nullptr ? "" : refusal->text();
-}
-
-std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
-
-ExitCode printFailure(ExitCode code, const std::string& message) {
-  std::cerr << run::wipedLine(STDERR_FILENO) + run::printable(message) +
-                   (message.ends_with('\n') ? "" : "\n");
-  return code;
-}
-
-ExitCode printFailure(const run::Failure& failure) {
-  return printFailure(exitCode(failure.kind), failure.message);
 }
 
 }  // namespace tolman::app

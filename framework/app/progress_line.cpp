@@ -5,53 +5,33 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "app/duration_text.hpp"
 #include "engine/terminal.hpp"
 
 namespace tolman::app {
 namespace {
 
-double rate(const FrameCount& c) {
-  return c.seconds > 0 ? static_cast<double>(c.done) / c.seconds : 0;
-}
-
-std::int64_t percent(const FrameCount& c) {
-  return std::clamp<std::int64_t>(100 * c.done / std::max<std::int64_t>(c.total, 1), 0, 100);
-}
-
-/// "6.0 s left", or nothing where that is not known.
-std::string timeLeft(const FrameCount& c) {
-  if (c.total < c.done || rate(c) <= 0) return {};
-  return durationText(static_cast<double>(c.total - c.done) / rate(c)) + " left";
+/// "frame 40 of 100 (40 %), 9.8 frames/s, 6.1 s left"
+std::string frameText(std::int64_t done, std::int64_t total, double seconds) {
+  std::string text = fmt::format("frame {}", done);
+  if (total > 0) text += fmt::format(" of {} ({} %)", total, std::min(100 * done / total, 100L));
+  const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
+  text += fmt::format(", {:.1f} frames/s", rate);
+  if (total < done || rate <= 0) return text;
+  return text + ", " + durationText(static_cast<double>(total - done) / rate) + " left";
 }
 
 }  // namespace
 
-std::string barText(const FrameCount& count, int width) {
-  std::string text;
-  if (count.total > 0) {
-    constexpr std::size_t kCells = 20;
-    const auto done = static_cast<std::size_t>(percent(count)) * kCells / 100;
-    std::string filled(done, '=');
-    if (done > 0 && done < kCells) filled.back() = '>';
-    text = fmt::format("[{:<{}}] {} %  {}/{}", filled, kCells, percent(count), count.done,
-                       count.total);
-  } else {
-    text = fmt::format("{} frames", count.done);
-  }
-  text += fmt::format("  {:.1f} frames/s", rate(count));
-  const std::string left = timeLeft(count);
-  if (!left.empty()) text += "  " + left;
-  return text.substr(0, static_cast<std::size_t>(std::max(width - 1, 0)));
-}
-
-std::string plainText(const FrameCount& count) {
-  std::string text = fmt::format("frame {}", count.done);
-  if (count.total > 0) text += fmt::format(" of {} ({} %)", count.total, percent(count));
-  text += fmt::format(", {:.1f} frames/s", rate(count));
-  const std::string left = timeLeft(count);
-  return left.empty() ? text : text + ", " + left;
+std::string durationText(double seconds) {
+  const double known = std::isfinite(seconds) ? std::clamp(seconds, 0.0, 1e9) : 0.0;
+  const long long tenths = std::llround(10 * known);
+  if (tenths < 600) return fmt::format("{}.{} s", tenths / 10, tenths % 10);
+  const long long whole = std::llround(known);
+  if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+  const long long minutes = std::llround(known / 60);
+  return fmt::format("{}:{:02} h", minutes / 60, minutes % 60);
 }
 
 Terminal terminalOf(const Invocation& invocation) {
@@ -67,10 +47,9 @@ ProgressLine::ProgressLine(std::ostream& out, const Clock& clock, Terminal termi
     : out_(out),
       clock_(clock),
       terminal_(terminal),
+      total_(total),
       begin_ns_(clock.steadyNs()),
-      shown_ns_(begin_ns_) {
-  count_.total = total;
-}
+      shown_ns_(begin_ns_) {}
 
 ProgressLine::~ProgressLine() {
   if (drawn_ > 0) redraw("");
@@ -81,17 +60,17 @@ void ProgressLine::step() {
   constexpr std::int64_t kSilenceNs = 5'000'000'000;  // longest time without a line
   if (terminal_.quiet) return;
   const std::lock_guard lock(mutex_);
-  ++count_.done;
+  ++done_;
   const std::int64_t now = clock_.steadyNs();
-  count_.seconds = static_cast<double>(now - begin_ns_) * 1e-9;
-  const std::int64_t tenths = count_.total > 0 ? percent(count_) / 10 : 0;
+  const std::int64_t tenths = total_ > 0 ? 10 * done_ / total_ : 0;
   const bool due = terminal_.interactive ? now - shown_ns_ >= kRedrawNs
                                          : tenths > shown_tenths_ || now - shown_ns_ >= kSilenceNs;
   if (!due) return;
+  const std::string text = frameText(done_, total_, static_cast<double>(now - begin_ns_) * 1e-9);
   if (terminal_.interactive) {
-    redraw(barText(count_, run::terminalWidth(STDERR_FILENO)));
+    redraw(text.substr(0, std::max(run::terminalWidth(STDERR_FILENO) - 1, 0)));
   } else {
-    out_ << plainText(count_) << '\n' << std::flush;
+    out_ << text << '\n' << std::flush;
   }
   shown_ns_ = now;
   shown_tenths_ = tenths;

@@ -13,6 +13,9 @@
 
 namespace tolman::app {
 
+/// "3.7 s", from a minute on "1:04 min", from an hour on "1:02 h".
+std::string durationText(double seconds);
+
 /// Kind of stderr, and whether the user wants output there.
 struct Terminal {
   bool interactive = false;  ///< stderr is a terminal, on which a line can be redrawn
@@ -20,23 +23,13 @@ struct Terminal {
 };
 Terminal terminalOf(const Invocation& invocation);
 
-struct FrameCount {
-  std::int64_t done = 0;
-  std::int64_t total = -1;  ///< -1: not known
-  double seconds = 0;       ///< since the beginning
-};
-
-/// "[====>     ] 40 %  40/100  9.8 frames/s  6.1 s left", cut from the right to fit `width`.
-std::string barText(const FrameCount& count, int width);
-/// "frame 40 of 100 (40 %), 9.8 frames/s, 6.1 s left"
-std::string plainText(const FrameCount& count);
-
 /// The number of frames to expect when at most `wanted` (-1: all) of `known` (-1: unknown) are
 /// read.
 std::int64_t framesToCome(std::int64_t wanted, std::int64_t known);
 
 class ProgressLine {
  public:
+  /// `total`: frames to come; -1: not known.
   ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal, std::int64_t total);
   /// Erases the line on a terminal.
   ~ProgressLine();
@@ -53,7 +46,8 @@ class ProgressLine {
   const Clock& clock_;
   Terminal terminal_;
   std::mutex mutex_;
-  FrameCount count_;
+  std::int64_t done_ = 0;
+  std::int64_t total_;
   std::int64_t begin_ns_;
   std::int64_t shown_ns_;
   std::int64_t shown_tenths_ = 0;

@@ -4,8 +4,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -32,52 +30,16 @@ struct RenderOutcome {
   std::vector<Revisit> revisits;
 };
 
-class Rendering {
- public:
-  /// Fills the next frame, as Source::next().
-  using Next = std::function<Status(Frame&)>;
-
-  /// `on_frame` is called after each frame, from any thread.
-  Rendering(Next source, const SourceInfo& info, const KittiFolder& folder,
-            const RenderOptions& options, Logger& log, std::function<void()> on_frame)
-      : source_(std::move(source)),
-        info_(info),
-        folder_(folder),
-        options_(options),
-        log_(log),
-        on_frame_(std::move(on_frame)) {}
-
-  /// Writes all frames, then the text files. After an interruption or a failure of the source the
-  /// text files are written, too, so that the images written so far are a valid data set.
-  RenderOutcome run(const Cancellation& cancellation);
-
- private:
-  /// A frame and its number in the folder.
-  struct Job {
-    std::int64_t index = 0;
-    Frame frame;
-  };
-  using JobPtr = std::shared_ptr<Job>;
-
-  JobPtr next(const Cancellation& cancellation);
-  Status check(const Frame& frame);
-  bool isWhole(const Frame& frame) const;
-  void leaveOut(const Frame& frame);
-  void write(const Job& job);
-  bool writing();
-  void finish();
-
-  Next source_;
-  const SourceInfo& info_;
-  const KittiFolder& folder_;
-  RenderOptions options_;
-  Logger& log_;
-  std::function<void()> on_frame_;
-  DriveLog drive_;
-  RenderOutcome outcome_;
-  std::mutex folder_mutex_;  // of outcome_.folder
-  std::int64_t taken_ = 0;
-  PixelFormat format_ = PixelFormat::Gray8;
+/// Where frames come from.
+struct RenderSource {
+  std::function<Status(Frame&)> next;  ///< as Source::next()
+  const SourceInfo& info;
+  std::function<void()> on_frame;  ///< called after each frame, from any thread
 };
+
+/// Writes all frames, then the text files. After an interruption or a failure of the source the
+/// text files are written, too, so that the images written so far are a valid data set.
+RenderOutcome render(const RenderSource& source, const KittiFolder& folder,
+                     const RenderOptions& options, Logger& log, const Cancellation& cancellation);
 
 }  // namespace tolman::dataset

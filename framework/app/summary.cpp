@@ -7,8 +7,7 @@
 #include <iostream>
 #include <vector>
 
-#include "app/duration_text.hpp"
-#include "app/terminal_output.hpp"
+#include "app/progress_line.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::app {
@@ -124,14 +123,12 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
 }
 
-ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation,
-                      const nlohmann::ordered_json& more) {
+ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation) {
   const std::filesystem::path& directory = outcome.directory;
   if (invocation.json && !directory.empty()) {
     nlohmann::ordered_json json = record::RunDirectory::readRunFile(directory);
     json["directory"] = directory.string();
     if (outcome.metrics) json["metrics"] = evaluation::toJson(*outcome.metrics);
-    json.update(more);
     std::cout << jsonText(json);
   } else if (!invocation.quiet && !directory.empty()) {
     std::cout << healthText(outcome) << fmt::format("{:<10}{}\n", "run", directory.string());
@@ -140,7 +137,7 @@ ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation,
                 << fmt::format("{:<10}{}\n", "report", (directory / "report.html").string());
     }
   }
-  if (outcome.failure) return printFailure(*outcome.failure);
+  if (outcome.failure) return printFailure(exitCode(outcome), outcome.failure->message);
   const ExitCode code = exitCode(outcome);
   if (invocation.quiet && code == ExitCode::TrackingLost) std::cerr << healthText(outcome);
   return code;

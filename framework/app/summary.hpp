@@ -24,9 +24,7 @@ std::string cellsText(const evaluation::CellFigures& cells);
 /// The figures: alignment, coverage, ATE, drift, for odometry and map, cells, and time per stage.
 std::string figuresText(const evaluation::Metrics& metrics);
 
-/// Prints how a run ended, with --json as JSON with the members of `more`, and returns the exit
-/// code.
-ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation,
-                      const nlohmann::ordered_json& more = nlohmann::ordered_json::object());
+/// Prints how a run ended, and returns the exit code.
+ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation);
 
 }  // namespace tolman::app

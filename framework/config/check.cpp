@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks types, ranges, choices and names.
-#include "config/check.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "config/nearest_name.hpp"
-#include "config/scalars.hpp"
+#include "config/text.hpp"
+#include "config/values.hpp"
 
 namespace tolman::config {
 namespace {

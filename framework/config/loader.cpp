@@ -6,9 +6,6 @@
 #include <iterator>
 #include <optional>
 
-#include "config/overrides.hpp"
-#include "config/yaml_reader.hpp"
-
 namespace tolman::config {
 namespace {
 
@@ -79,7 +76,7 @@ class Loader {
                   (is_first ? "" : file.string() + ": ") + text.status().message());
     }
     const Origin origin = Origin::ofFile(file.string());
-    std::optional<Node> tree = readYaml(text.value(), origin, loaded_.problems);
+    std::optional<Node> tree = readYaml(text.value(), origin, loaded_.problems, environment_);
     if (!tree) {  // readYaml() has reported the reason
       loaded_.complete = false;
       return {Node::Kind::Map, "", {}, origin};
@@ -88,7 +85,6 @@ class Loader {
     if (!tree->isMap()) {
       return fail(tree->origin, "", "a configuration is a map of keys, not " + describe(*tree));
     }
-    expandVariables(*tree, "", environment_, loaded_.problems);
     return std::move(*tree);
   }
 
@@ -140,7 +136,11 @@ Loaded load(const fs::path& file, const std::vector<std::string>& overrides,
   std::error_code error;
   loaded.folders = {fs::current_path(error), environment("HOME").value_or("")};
   loaded.file = file.string();
-  loaded.tree = Loader(environment, find_shipped, loaded).merged(file, Origin::ofFile(loaded.file));
+  loaded.tree = {Node::Kind::Map};
+  if (!file.empty()) {
+    const Origin origin = Origin::ofFile(loaded.file);
+    loaded.tree = Loader(environment, find_shipped, loaded).merged(file, origin);
+  }
   applyOverrides(loaded.tree, overrides, environment, loaded.problems);
   return loaded;
 }

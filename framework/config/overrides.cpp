@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading and applying --set.
-#include "config/overrides.hpp"
-
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <sstream>
 
-#include "config/characters.hpp"
-#include "config/yaml_reader.hpp"
+#include "config/loader.hpp"
+#include "config/text.hpp"
 
 namespace tolman::config {
 namespace {
@@ -32,11 +30,6 @@ Result<std::vector<std::string>> readPath(const std::string& argument) {
   std::vector<std::string> path = split(argument.substr(0, equals));
   if (std::ranges::find(path, "") != path.end()) {
     return Status::invalidParameter("the key path has an empty part");
-  }
-  constexpr std::size_t kDeepest = 20;  // the keys of configurations have five parts at most
-  if (path.size() > kDeepest) {
-    return Status::invalidParameter("the key path has " + std::to_string(path.size()) +
-                                    " parts, more than any key");
   }
   if (path.front() == "extends") {
     return Status::invalidParameter("'extends' is allowed in files only");
@@ -86,7 +79,8 @@ std::string lostText(const Node& value, const std::string& given) {
   if (value.kind == Node::Kind::Null && std::ranges::find(kNulls, given) == kNulls.end()) {
     return "YAML reads this as nothing; put the value into quotes: --set 'key=\"value\"'";
   }
-  if (!value.isScalar() || value.quoted || value.text == given) return "";
+  const bool has_variables = given.find("${") != std::string::npos;
+  if (!value.isScalar() || value.quoted || has_variables || value.text == given) return "";
   return "YAML reads this as '" + value.text +
          "'; put the value into quotes: --set 'key=\"value\"'";
 }
@@ -107,13 +101,14 @@ void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
       continue;
     }
     const std::size_t equals = argument.find('=');
-    std::optional<Node> value = readYaml(argument.substr(equals + 1), origin, problems);
+    const std::string given = argument.substr(equals + 1);
+    std::optional<Node> value =
+        readYaml(given, origin, problems, environment, argument.substr(0, equals));
     if (!value) continue;  // readYaml() has reported the reason
-    if (const std::string lost = lostText(*value, argument.substr(equals + 1)); !lost.empty()) {
+    if (const std::string lost = lostText(*value, given); !lost.empty()) {
       problems.push_back({origin, "", lost});
       continue;
     }
-    expandVariables(*value, argument.substr(0, equals), environment, problems);
     const Status done = assign(tree, path.value(), std::move(*value), origin);
     if (!done.isOk()) problems.push_back({origin, "", done.message()});
   }

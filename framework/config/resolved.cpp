@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writing configurations.
-#include "config/resolved.hpp"
-
 #include <algorithm>
 
-#include "config/scalars.hpp"
+#include "config/system_config.hpp"
 
 namespace tolman::config {
 namespace {

@@ -7,9 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "config/characters.hpp"
-#include "config/nearest_name.hpp"
-#include "config/printable_text.hpp"
+#include "config/text.hpp"
 
 namespace tolman::config {
 namespace {
@@ -77,22 +75,9 @@ class Parser {
     others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "isolation",
                                  "checks", "rectification", "images", "extends"});
     config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
-    if (!config_.general.name.empty()) {
-      refuseUnprintable();
-      return;
-    }
-    config_.general.name = printable(std::filesystem::path(loaded_.file).stem().string());
-    config_.sections.back().values["name"] = config_.general.name;
-  }
-
-  /// Refuses a name that JSON, XML or a terminal cannot show.
-  void refuseUnprintable() {
-    const std::string& name = config_.general.name;
-    if (printable(name, "") == name) return;
-    const Node* given = tree_.find("name");
-    problems_.push_back({given == nullptr ? tree_.origin : given->origin, "name",
-                         "is not UTF-8, or has control characters: '" + printable(name) +
-                             "'; choose another name"});
+    std::string& name = config_.general.name;  // which JSON, XML and terminals show
+    name = printable(name.empty() ? std::filesystem::path(loaded_.file).stem().string() : name);
+    config_.sections.back().values["name"] = name;
   }
 
   /// A list under `segments` is read as `segment_lengths`.
@@ -101,22 +86,6 @@ class Parser {
     if (Node* map = tree_.find("evaluation")) segments = map->find("segments");
     if (segments != nullptr && segments->isSequence()) segments->key = "segment_lengths";
     config_.evaluation = section<EvaluationSettings>("evaluation");
-    refuseRepeatedLengths();
-  }
-
-  /// A length that is given twice would count twice in the mean drift.
-  void refuseRepeatedLengths() {
-    std::vector<double> lengths = config_.evaluation.segment_lengths;
-    std::ranges::sort(lengths);
-    const auto twice = std::ranges::adjacent_find(lengths);
-    if (twice == lengths.end()) return;
-    const Node* given = tree_.find("evaluation");
-    if (given != nullptr && given->find("segment_lengths") != nullptr) {
-      given = given->find("segment_lengths");
-    }
-    problems_.push_back({given == nullptr ? tree_.origin : given->origin,
-                         "evaluation.segment_lengths",
-                         "has " + writeReal(*twice) + " m twice; give each length once"});
   }
 
   void chainStage(Role role) {

@@ -2,10 +2,10 @@
 // A configured system: the host's settings and the stages in processing order.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
-#include "config/check.hpp"
 #include "config/loader.hpp"
 #include "config/settings.hpp"
 #include "tolman/roles.hpp"
@@ -54,5 +54,15 @@ SystemConfig parse(const Loaded& loaded, Problems& problems);
 /// Second step, for each stage: values of all parameters of its plugin.
 ParameterValues check(const StageConfig& stage, const Schema& schema, const BaseFolders& folders,
                       Problems& problems);
+
+/// Checked parameters by the name of the stage's instance.
+using StageValues = std::map<std::string, ParameterValues, std::less<>>;
+
+/// config.resolved.yaml: loading it gives the same values.
+std::string resolvedYaml(const SystemConfig& config, const StageValues& values);
+
+/// The same with the origin of each value in a comment, for `tolman check --explain`:
+///   active_points: 2000                     # configs/a.yaml:4:13
+std::string explain(const SystemConfig& config, const StageValues& values);
 
 }  // namespace tolman::config

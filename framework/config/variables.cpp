@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Expansion of environment variables.
-#include "config/variables.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 
-#include "config/characters.hpp"
-#include "tolman/status.hpp"
+#include "config/loader.hpp"
+#include "config/text.hpp"
 
 namespace tolman::config {
 namespace {
@@ -42,8 +40,17 @@ Result<std::string> lookUp(const std::string& inside, const Environment& environ
                                   " is not set; set it or write ${" + name + ":-default}");
 }
 
-Result<std::string> expand(const std::string& text, const Environment& environment,
-                           std::string& used) {
+}  // namespace
+
+Environment processEnvironment() {
+  return [](const std::string& name) -> std::optional<std::string> {
+    const char* value = std::getenv(name.c_str());
+    return value != nullptr ? std::optional<std::string>(value) : std::nullopt;
+  };
+}
+
+Result<std::string> expandVariables(const std::string& text, const Environment& environment,
+                                    std::string& used) {
   std::string expanded;
   std::size_t done = 0;
   for (std::size_t start = text.find("${"); start != std::string::npos;
@@ -62,33 +69,6 @@ Result<std::string> expand(const std::string& text, const Environment& environme
     done = end + 1;
   }
   return expanded + text.substr(done);
-}
-
-}  // namespace
-
-Environment processEnvironment() {
-  return [](const std::string& name) -> std::optional<std::string> {
-    const char* value = std::getenv(name.c_str());
-    return value != nullptr ? std::optional<std::string>(value) : std::nullopt;
-  };
-}
-
-void expandVariables(Node& node, const std::string& path, const Environment& environment,
-                     Problems& problems) {
-  for (Node& child : node.children) {
-    expandVariables(child, joinPath(path, child.key), environment, problems);
-  }
-  if (!node.isScalar() || node.text.find("${") == std::string::npos) return;
-  std::string used;
-  const Result<std::string> expanded = expand(node.text, environment, used);
-  if (!expanded.isOk()) {
-    problems.push_back({node.origin, path, expanded.status().message()});
-    return;
-  }
-  node.text = expanded.value();
-  if (used.empty()) return;  // only escapes
-  node.origin.variables = used;
-  node.quoted = false;
 }
 
 }  // namespace tolman::config

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Builds the tree from yaml-cpp's events, not from YAML::Node: events include duplicate keys, the
 // position of keys, and whether a scalar was quoted. Aliases are copied, up to a limit.
-#include "config/yaml_reader.hpp"
-
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -13,6 +11,7 @@
 #include <utility>
 
 #include "base/text_encoding.hpp"
+#include "config/loader.hpp"
 
 namespace tolman::config {
 namespace {
@@ -36,7 +35,9 @@ Origin at(const YAML::Mark& mark, const Origin& source) {
 
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  TreeBuilder(const Origin& source, Problems& problems) : source_(source), problems_(problems) {
+  TreeBuilder(const Origin& source, const Environment& environment, const std::string& path,
+              Problems& problems)
+      : source_(source), environment_(environment), path_(path), problems_(problems) {
     root_.origin = source;
   }
 
@@ -128,6 +129,8 @@ class TreeBuilder final : public YAML::EventHandler {
 
   /// Adds a complete value of `size` nodes to its parent.
   void add(Node node, const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t size) {
+    const bool is_key = !open_.empty() && open_.back().node.isMap() && !open_.back().has_key;
+    if (!is_key) expand(node);
     if (anchor != 0) anchors_[anchor] = {node, size};
     if (open_.empty()) {
       root_ = std::move(node);
@@ -164,8 +167,30 @@ class TreeBuilder final : public YAML::EventHandler {
     map.node.children.push_back(std::move(value));
   }
 
+  /// Replaces variables in a scalar.
+  void expand(Node& node) {
+    if (!environment_ || !node.isScalar() || node.text.find("${") == std::string::npos) return;
+    std::string used;
+    const Result<std::string> expanded = expandVariables(node.text, environment_, used);
+    if (!expanded.isOk()) {
+      problems_.push_back({node.origin, pathOfNext(), expanded.status().message()});
+      return;
+    }
+    node.text = expanded.value();
+    if (used.empty()) return;  // only escapes
+    node.origin.variables = used;
+    node.quoted = false;
+  }
+
+  std::string pathOfNext() const {
+    if (open_.empty()) return path_;
+    const Open& parent = open_.back();
+    return path(parent.node.isMap() ? parent.key.text
+                                    : std::to_string(parent.node.children.size()));
+  }
+
   std::string path(std::string_view last) const {
-    std::string joined;
+    std::string joined = path_;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
       const Node& node = open_[i].node;
       joined =
@@ -175,6 +200,8 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   const Origin& source_;
+  const Environment& environment_;
+  const std::string& path_;
   Problems& problems_;
   Node root_;
   YAML::Mark last_;
@@ -211,7 +238,7 @@ std::string explained(const YAML::Exception& e, const std::string& line) {
 }
 
 bool isText(const std::string& text, const Origin& source, Problems& problems) {
-  // A zero byte in other text is told below, with its column.
+  // A zero byte in other text is reported below, with its column.
   if (const std::string problem = text_encoding::encodingProblem(text);
       problem.starts_with("is UTF-")) {
     problems.push_back({source, "", problem});
@@ -234,9 +261,10 @@ bool isText(const std::string& text, const Origin& source, Problems& problems) {
 
 }  // namespace
 
-std::optional<Node> readYaml(const std::string& text, const Origin& source, Problems& problems) {
+std::optional<Node> readYaml(const std::string& text, const Origin& source, Problems& problems,
+                             const Environment& environment, const std::string& path) {
   if (!isText(text, source, problems)) return std::nullopt;
-  TreeBuilder builder(source, problems);
+  TreeBuilder builder(source, environment, path, problems);
   try {
     std::istringstream stream(text + kLastLine);
     YAML::Parser parser(stream);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/check_context.hpp"
 
-#include "config/check.hpp"
-#include "config/overrides.hpp"
+#include "config/loader.hpp"
+#include "config/values.hpp"
 
 namespace tolman::conformance {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/bounded_json.hpp"
-#include "config/json_integer.hpp"
+#include "config/json_text.hpp"
 
 namespace tolman::conformance {
 

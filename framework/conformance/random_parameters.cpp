@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/scalars.hpp"
+#include "config/values.hpp"
 
 namespace tolman::conformance {
 namespace {

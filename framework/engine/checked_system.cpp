@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "config/loader.hpp"
-#include "config/problem.hpp"
+#include "config/tree.hpp"
 
 namespace tolman::run {
 namespace {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "config/loader.hpp"
-#include "config/resolved.hpp"
 #include "config/system_config.hpp"
 #include "engine/failure.hpp"
 #include "host/catalogue.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "config/resolved.hpp"
+#include "config/system_config.hpp"
 #include "engine/checked_system.hpp"
 #include "host/library.hpp"
 #include "record/data_files.hpp"

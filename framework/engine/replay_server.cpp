@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "config/json_integer.hpp"
+#include "config/json_text.hpp"
 #include "engine/page_observer.hpp"
 #include "record/run_directory.hpp"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "config/paths.hpp"
-#include "config/resolved.hpp"
+#include "config/system_config.hpp"
+#include "config/values.hpp"
 #include "engine/input_data.hpp"
 #include "engine/program_changes.hpp"
 #include "engine/provenance.hpp"

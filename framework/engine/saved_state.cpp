@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "config/json_integer.hpp"
+#include "config/json_text.hpp"
 #include "engine/provenance.hpp"
 #include "engine/state_files.hpp"
 

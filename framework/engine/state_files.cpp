@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "base/bounded_json.hpp"
-#include "config/json_integer.hpp"
 #include "config/json_text.hpp"
 #include "engine/value_json.hpp"
 #include "record/atomic_file.hpp"

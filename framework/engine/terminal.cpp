@@ -4,7 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "config/printable_text.hpp"
+#include "config/text.hpp"
 
 namespace tolman::run {
 

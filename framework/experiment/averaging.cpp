@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "config/nearest_name.hpp"
+#include "config/text.hpp"
 
 namespace tolman::experiment {
 

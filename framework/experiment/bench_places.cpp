@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "config/scalars.hpp"
+#include "config/values.hpp"
 #include "engine/value_json.hpp"
 #include "evaluation/loop_truth.hpp"
 #include "experiment/place_truth.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "config/named_value.hpp"
+#include "config/text.hpp"
 #include "evaluation/alignment.hpp"
 #include "evaluation/errors.hpp"
 #include "record/run_reader.hpp"

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "config/overrides.hpp"
+#include "config/loader.hpp"
 #include "engine/input_data.hpp"
 #include "record/digest.hpp"
 

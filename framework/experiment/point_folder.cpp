@@ -9,8 +9,8 @@
 
 #include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
-#include "config/named_value.hpp"
-#include "config/paths.hpp"
+#include "config/text.hpp"
+#include "config/values.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"

@@ -6,7 +6,7 @@
 #include <thread>
 #include <variant>
 
-#include "config/paths.hpp"
+#include "config/values.hpp"
 #include "record/answers_file.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"

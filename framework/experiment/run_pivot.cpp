@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-#include "config/nearest_name.hpp"
+#include "config/text.hpp"
 #include "experiment/averaging.hpp"
 
 namespace tolman::experiment {

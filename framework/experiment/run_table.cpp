@@ -11,10 +11,9 @@
 
 #include "base/bounded_json.hpp"
 #include "base/text_encoding.hpp"
-#include "config/differences.hpp"
 #include "config/loader.hpp"
-#include "config/paths.hpp"
-#include "config/scalars.hpp"
+#include "config/tree.hpp"
+#include "config/values.hpp"
 #include "engine/run_names.hpp"
 #include "experiment/point_folder.hpp"
 #include "experiment/tables.hpp"

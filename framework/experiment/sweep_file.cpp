@@ -10,10 +10,9 @@
 #include <optional>
 #include <set>
 
-#include "config/nearest_name.hpp"
-#include "config/paths.hpp"
-#include "config/scalars.hpp"
-#include "config/yaml_reader.hpp"
+#include "config/loader.hpp"
+#include "config/text.hpp"
+#include "config/values.hpp"
 #include "record/regular_file.hpp"
 #include "tolman/context.hpp"
 
@@ -423,13 +422,12 @@ SweepFile readSweep(const std::filesystem::path& file, const config::Environment
     return sweep;
   }
   const std::string text(std::istreambuf_iterator<char>(stream), {});
-  std::optional<Node> tree = config::readYaml(text, origin, problems);
+  std::optional<Node> tree = config::readYaml(text, origin, problems, environment);
   if (!tree) return sweep;
   if (!tree->isMap()) {
     problems.push_back({origin, "", "a sweep is a map of keys, not " + config::describe(*tree)});
     return sweep;
   }
-  config::expandVariables(*tree, "", environment, problems);
   Reader(sweep, problems).read(*tree);
   return sweep;
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "config/node.hpp"
-#include "config/variables.hpp"
+#include "config/loader.hpp"
+#include "config/tree.hpp"
 
 namespace tolman::experiment {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "config/limits.hpp"
-#include "config/printable_text.hpp"
+#include "config/text.hpp"
 #include "host/values.hpp"
 
 namespace tolman::host {

@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "config/nearest_name.hpp"
+#include "config/text.hpp"
 
 namespace tolman::host {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "config/named_value.hpp"
+#include "config/text.hpp"
 #include "host/elf_section.hpp"
 
 namespace tolman::host {

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "config/printable_text.hpp"
+#include "config/text.hpp"
 
 namespace tolman::isolation {
 namespace {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "config/limits.hpp"
-#include "config/named_value.hpp"
+#include "config/text.hpp"
 #include "record/sqlite.hpp"
 #include "tolman/fields.hpp"
 

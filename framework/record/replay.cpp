@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/replay.hpp"
 
-#include "config/named_value.hpp"
+#include "config/text.hpp"
 
 namespace tolman::record {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
-#include "config/paths.hpp"
+#include "config/values.hpp"
 #include "record/descriptor_limit.hpp"
 #include "record/output_places.hpp"
 #include "record/regular_file.hpp"

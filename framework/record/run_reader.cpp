@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
-#include "config/paths.hpp"
+#include "config/values.hpp"
 #include "record/row_sums.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_id.hpp"

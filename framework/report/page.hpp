@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "config/node.hpp"
+#include "config/tree.hpp"
 #include "report/drawn_units.hpp"
 #include "report/map_picture.hpp"
 #include "report/run_data.hpp"

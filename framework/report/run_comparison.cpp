@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "config/differences.hpp"
+#include "config/tree.hpp"
 #include "report/map_picture.hpp"
 #include "report/svg.hpp"
 

@@ -6,7 +6,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <utility>
 
-#include "config/printable_text.hpp"
+#include "config/text.hpp"
 
 namespace tolman::report {
 

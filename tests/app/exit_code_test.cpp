@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/exit_code.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "app/program.hpp"
 #include "engine/run.hpp"
 
 using namespace tolman;

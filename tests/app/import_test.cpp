@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman dataset import: recordings of every kind become folders that `kitti` or `images` reads.
+// tolman dataset render of recordings of every kind: folders that `kitti` or `images` reads.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -23,11 +23,9 @@ struct Imported {
   fs::path out = folder.path() / "imported";
   Finished finished;
 
-  Imported(const fs::path& recording, const std::string& source,
-           const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words = {"dataset",  "import", recording.string(),
-                                      "--source", source,   "--frames",
-                                      "3",        "--out",  out.string()};
+  explicit Imported(const fs::path& recording, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"dataset", "render", recording.string(), "--frames",
+                                      "3",       "--out",  out.string()};
     words.insert(words.end(), more.begin(), more.end());
     finished = tolman::test::tolman(words);
   }
@@ -91,18 +89,12 @@ void writeBag(const fs::path& file) {
 }  // namespace
 
 TEST_CASE("raw pairs, single cameras and drives are imported rectified", "[data]") {
-  for (const auto& [recording, source] : {std::pair{"euroc_v101", "euroc"},
-                                          {"tumvi_room1", "euroc"},
-                                          {"tum_fr1_xyz", "tum"},
-                                          {"kitti_raw_unrectified", "kitti_raw"},
-                                          {"kitti_clips/06", "kitti"}}) {
+  for (const char* recording :
+       {"euroc_v101", "tumvi_room1", "tum_fr1_xyz", "kitti_raw_unrectified", "kitti_clips/06"}) {
     const auto data = dataOrSkip(recording);
     if (!data) continue;
     INFO(recording);
-    const bool needs_rate = std::string(source) == "kitti_raw" && !fs::exists(*data / "timestamps");
-    const Imported imported(
-        *data, source,
-        needs_rate ? std::vector<std::string>{"--set", "rate=10"} : std::vector<std::string>());
+    const Imported imported(*data);
     imported.check();
   }
 }
@@ -111,11 +103,10 @@ TEST_CASE("a ROS 2 bag is imported as it is, and scaled with its calibration") {
   const TemporaryFolder folder;
   const fs::path bag = folder.path() / "pair.mcap";
   writeBag(bag);
-  const Imported whole(bag, "ros_bag");
+  const Imported whole(bag);
   whole.check();
   CHECK(whole.image("image_1/000002.png").size() == cv::Size(96, 64));
-  const Imported part(bag, "ros_bag",
-                      {"--set", "images.crop=[8, 4, 80, 60]", "--set", "images.scale=0.75"});
+  const Imported part(bag, {"--set", "images.crop=[8, 4, 80, 60]", "--set", "images.scale=0.75"});
   part.check();
   const cv::Mat image = part.image("image_0/000001.png");
   CHECK(image.size() == cv::Size(60, 45));
@@ -124,7 +115,7 @@ TEST_CASE("a ROS 2 bag is imported as it is, and scaled with its calibration") {
   CHECK(part_fx == Approx(0.75 * fx));
   CHECK(part_cx == Approx(0.75 * (cx - 8 + 0.5) - 0.5));
   CHECK(part_cy == Approx(0.75 * (cy - 4 + 0.5) - 0.5));
-  const Imported outside(bag, "ros_bag", {"--set", "images.crop=[8, 4, 96, 60]"});
+  const Imported outside(bag, {"--set", "images.crop=[8, 4, 96, 60]"});
   CHECK(outside.finished.exit_code == 5);
   CHECK(contains(outside.finished.err, "images.crop is not inside of the images"));
 }
@@ -135,39 +126,10 @@ TEST_CASE("a video without calibration becomes a folder that images reads", "[da
   const TemporaryFolder folder;
   const std::string video = (folder.path() / "street.avi").string();
   writeVideo(*clip, video);
-  const Imported imported(video, "video");
+  const Imported imported(video);
   CHECK(contains(imported.finished.out, "plugin: images"));
   CHECK_FALSE(fs::exists(imported.out / "calib.txt"));
   imported.check("images", {"--set", "left=image_0", "--set", "stamps=times.txt"});
-  const Imported calibrated(video, "video", {"--set", "fx=700"});
+  const Imported calibrated(video, {"--set", "source.fx=700"});
   calibrated.check();
-}
-
-TEST_CASE("a recording that changes while it is imported") {
-  const TemporaryFolder folder;
-  const fs::path sequence = folder.path() / "sequence";
-  constexpr int kFrames = 400;
-  writeTinyKitti(sequence, kFrames);
-  const fs::path last = sequence / fmt::format("image_0/{:06}.png", kFrames - 1);
-  const std::string out = (folder.path() / "imported").string();
-  Process import({tolmanProgram().string(), "dataset", "import", sequence.string(), "--source",
-                  "kitti", "--out", out},
-                 folder.path());
-  while (!fs::exists(fs::path(out) / "image_0/000000.png")) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  fs::copy_file(sequence / "image_0/000000.png", last, fs::copy_options::overwrite_existing);
-  const Finished finished = import.wait();
-  CHECK(finished.exit_code == 5);
-  CHECK(contains(finished.err, last.string() +
-                                   ": was changed or removed meanwhile, so the images in " + out +
-                                   " may be of two data sets; do it again with --force"));
-}
-
-TEST_CASE("an unknown source is named as the option that chose it") {
-  const TemporaryFolder folder;
-  const Imported unknown(folder.path(), "my_bags");
-  CHECK(unknown.finished.exit_code == 4);
-  CHECK(contains(unknown.finished.err, "--set source.plugin=my_bags"));
-  CHECK_FALSE(contains(unknown.finished.err, "/proc/"));
 }

@@ -40,41 +40,19 @@ TEST_CASE("names that are identifiers everywhere are accepted") {
   }
 }
 
-TEST_CASE("other names are refused, with the nearest that is right") {
-  const std::vector<std::pair<std::string, std::string>> cases = {{"MyPlaces", "my_places"},
-                                                                  {"my-places", "my_places"},
-                                                                  {"2fast", "fast"},
-                                                                  {"a__b", "a_b"},
-                                                                  {"tail_", "tail"},
-                                                                  {"_head", "head"},
-                                                                  {"HOG", "hog"},
-                                                                  {"../escape", "escape"},
-                                                                  {"a b", "a_b"}};
-  for (const auto& [name, remedy] : cases) {
+TEST_CASE("other names are refused, and so are those with another meaning") {
+  for (const char* name : {"MyPlaces", "my-places", "2fast", "a__b", "tail_", "_head", "HOG",
+                           "../escape", "a b", "", "1234"}) {
     INFO(name);
-    const auto objection = objectionTo(name);
-    REQUIRE(objection);
-    CHECK(objection->ends_with("; try '" + remedy + "'"));
-    CHECK_FALSE(objectionTo(remedy));
+    REQUIRE(objectionTo(name));
+    CHECK(objectionTo(name)->ends_with("has 40 of them at most, as my_places"));
   }
-  CHECK(objectionTo("none")->ends_with("; try 'my_none'"));
-  CHECK(objectionTo("")->ends_with("; choose such a name"));
-  CHECK(objectionTo("1234")->ends_with("; choose such a name"));
   CHECK(objectionTo(std::string(41, 'a')));
   CHECK_FALSE(objectionTo(std::string(40, 'a')));
-}
-
-TEST_CASE("a name whose files would overwrite others is refused") {
   CHECK(*objectionTo("plugin") ==
-        "'plugin' is the name of another file of the repository; try 'my_plugin'");
+        "'plugin' has another meaning in the repository; try 'my_plugin'");
   CHECK(objectionTo("test_context"));
-}
-
-TEST_CASE("roles have their names, and typos a remedy") {
-  CHECK(roleNamed("observer").value() == tolman::Role::Observer);
-  CHECK(roleNamed("obsever").status().message() ==
-        "there is no role 'obsever'; a plugin is one of source, odometry, place, cells, map, "
-        "observer; did you mean 'observer'?");
+  CHECK(objectionTo("none"));
 }
 
 TEST_CASE("classes are named after the id") {
@@ -119,23 +97,18 @@ TEST_CASE("an empty folder may be filled, a file or a full folder may not") {
   CHECK(textOf(folder.path() / "file") == "mine");
 }
 
-TEST_CASE("a folder that cannot be made or written is named, with the reason and the remedy") {
+TEST_CASE("a folder that cannot be made is named, with the reason and the remedy") {
   const tolman::test::TemporaryFolder folder;
-  const fs::path templates = folder.path() / "template";
-  writeTemplates(templates);
+  writeTemplates(folder.path() / "template");
   std::ofstream(folder.path() / "file") << "mine";
-  const auto below =
-      writeNewPlugin(templates, {tolman::Role::Cells, "c", folder.path() / "file/a/c"});
-  REQUIRE_FALSE(below.isOk());
-  const std::string text = below.status().message();
-  CAPTURE(text);
-  CHECK(text.find("cannot be written: " + (folder.path() / "file").string() +
-                  " (Not a directory)") != std::string::npos);
-  CHECK(text.find("or name another one") != std::string::npos);
-  const auto of_kernel = writeNewPlugin(templates, {tolman::Role::Cells, "c", "/proc/c"});
-  REQUIRE_FALSE(of_kernel.isOk());
-  CHECK(of_kernel.status().message().starts_with(
-      "/proc/c: the plugin's folder cannot be written: /proc ("));
+  const fs::path below = folder.path() / "file/a/c";
+  const auto refused =
+      writeNewPlugin(folder.path() / "template", {tolman::Role::Cells, "c", below});
+  REQUIRE_FALSE(refused.isOk());
+  CHECK(refused.status().message() ==
+        below.string() +
+            ": the plugin's folder cannot be written (Not a directory); name another one: tolman "
+            "plugins new ROLE NAME FOLDER");
 }
 
 TEST_CASE("templates that are not installed are missed by name") {

@@ -5,8 +5,7 @@
 #include <sstream>
 
 using namespace tolman;
-using app::barText;
-using app::plainText;
+using app::durationText;
 
 namespace {
 
@@ -31,21 +30,21 @@ std::string shown(app::Terminal terminal, std::int64_t total, int frames = 10) {
 
 }  // namespace
 
-TEST_CASE("a bar has share, count, rate and time left, and never wraps") {
-  CHECK(barText({40, 100, 4}, 80) ==
-        "[=======>            ] 40 %  40/100  10.0 frames/s  6.0 s left");
-  CHECK(barText({0, 100, 0}, 80) == "[                    ] 0 %  0/100  0.0 frames/s");
-  CHECK(barText({100, 100, 10}, 80) ==
-        "[====================] 100 %  100/100  10.0 frames/s  0.0 s left");
-  CHECK(barText({7, -1, 2}, 80) == "7 frames  3.5 frames/s");
-  CHECK(barText({40, 100, 4}, 30).size() == 29);
-  CHECK(barText({40, 100, 4}, 0).empty());
+TEST_CASE("a duration has the unit that fits it") {
+  CHECK(durationText(0) == "0.0 s");
+  CHECK(durationText(3.7) == "3.7 s");
+  CHECK(durationText(59.94) == "59.9 s");
+  CHECK(durationText(59.96) == "1:00 min");  // never 60.0 s
+  CHECK(durationText(64.4) == "1:04 min");
+  CHECK(durationText(3599.4) == "59:59 min");
+  CHECK(durationText(3599.6) == "1:00 h");  // never 60:00 min
+  CHECK(durationText(3720) == "1:02 h");
+  CHECK(durationText(100 * 3600) == "100:00 h");
 }
 
-TEST_CASE("a plain line says the same in words") {
-  CHECK(plainText({40, 100, 4}) == "frame 40 of 100 (40 %), 10.0 frames/s, 6.0 s left");
-  CHECK(plainText({1, 4541, 1}) == "frame 1 of 4541 (0 %), 1.0 frames/s, 1:16 h left");
-  CHECK(plainText({7, -1, 2}) == "frame 7, 3.5 frames/s");
+TEST_CASE("what is no duration is none") {
+  CHECK(durationText(-1) == "0.0 s");
+  CHECK(durationText(std::numeric_limits<double>::quiet_NaN()) == "0.0 s");
 }
 
 TEST_CASE("without a terminal there is a line each tenth, or every five seconds") {
@@ -61,7 +60,7 @@ TEST_CASE("without a terminal there is a line each tenth, or every five seconds"
 TEST_CASE("on a terminal one line is redrawn, and wiped in the end") {
   const std::string text = shown({true, false}, 20);
   CHECK(text.find('\n') == std::string::npos);
-  CHECK(text.find("10/20") != std::string::npos);
+  CHECK(text.find("frame 10 of 20 (50 %), 1.0 frames/s, 10.0 s left") != std::string::npos);
   CHECK(text.ends_with(" \r"));
 }
 

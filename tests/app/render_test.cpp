@@ -257,27 +257,12 @@ TEST_CASE("refusals name the remedy") {
     CHECK(readText(easel.out / "thesis.tex") == "years\n");
     CHECK(readText(easel.out / "image_0/000000.png") == "recorded");
   }
-  SECTION("a link to another folder in an earlier rendering") {
-    REQUIRE(easel.render({"--frames", "2"}).exit_code == 0);
-    const fs::path other = easel.folder.path() / "other";
-    fs::rename(easel.out / "image_0", other);
-    fs::create_directory_symlink(other, easel.out / "image_0");
-    easel.refused({"--force"}, 8,
-                  (easel.out / "image_0").string() +
-                      ": is a link to another folder; remove it, or choose another --out\n");
-    CHECK(files(other) == 2);
-  }
   SECTION("what is ours is replaced, the rest stays") {
     REQUIRE(easel.render({"--frames", "2"}).exit_code == 0);
     std::ofstream(easel.out / "thesis.tex") << "years\n";
     CHECK(easel.render({"--frames", "1", "--force"}).exit_code == 0);
     CHECK(files(easel.out / "image_0") == 1);
     CHECK(readText(easel.out / "thesis.tex") == "years\n");
-  }
-  SECTION("a source without calibration") {
-    easel.refused({"--set", "source.calibrated=false"}, 5,
-                  "the cameras of the source are not calibrated, and calib.txt needs fx, fy, cx "
-                  "and cy; give the source its calibration\n");
   }
   SECTION("depth is declared, but does not come") {
     easel.refused({"--depth", "--set", "source.forget_depth=true", "--quiet"}, 5,

@@ -127,7 +127,7 @@ TEST_CASE("wrong roles and names are refused with what would be right") {
   CHECK(contains(role.err, "did you mean 'place'?"));
   const Finished name = tolman::test::tolman({"plugins", "new", "place", "My-Places"});
   CHECK(name.exit_code == 2);
-  CHECK(contains(name.err, "try 'my_places'"));
+  CHECK(contains(name.err, "as my_places"));
 }
 
 TEST_CASE("the id of an installed plugin is refused, in its own role and in others") {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks a map against a schema: values, defaults and problems.
-#include "config/check.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "config/loader.hpp"
 #include "config/toy_system.hpp"
-#include "config/yaml_reader.hpp"
+#include "config/values.hpp"
 
 namespace tolman {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "config/differences.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "config/tree.hpp"
 
 using namespace tolman::config;
 

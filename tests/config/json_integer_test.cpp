@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Integers in JSON are read exactly, or refused.
-#include "config/json_integer.hpp"
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include "config/json_text.hpp"
 
 using nlohmann::json;
 using tolman::config::integerFrom;

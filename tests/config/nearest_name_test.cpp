@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edit distance against known values and its definition, and which names are near.
-#include "config/nearest_name.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "config/text.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Merging of trees, on hand-made cases.
-#include "config/node.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "config/yaml_reader.hpp"
+#include "config/loader.hpp"
+#include "config/tree.hpp"
 
 namespace tolman {
 namespace {

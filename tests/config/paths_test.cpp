@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Resolution of paths in a configuration.
-#include "config/paths.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "config/values.hpp"
 
 namespace tolman {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "config/printable_text.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "config/text.hpp"
 
 using namespace tolman::config;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Text and order of problems.
-#include "config/problem.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "config/tree.hpp"
 
 namespace tolman {
 

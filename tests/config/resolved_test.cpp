@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // config.resolved.yaml: complete, and the same system when loaded again.
-#include "config/resolved.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "config/system_config.hpp"
 #include "config/toy_system.hpp"
 #include "support/data.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which spellings are numbers and truth values, and which are refused.
-#include "config/scalars.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
+#include "config/values.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman {

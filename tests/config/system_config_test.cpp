@@ -55,15 +55,6 @@ TEST_CASE("A minimal configuration has the host's defaults and the name of the f
   CHECK(system.config.stages.size() == 5);
 }
 
-TEST_CASE("A segment length that is given twice is refused") {
-  for (const char* key : {"segments", "segment_lengths"}) {
-    const auto twice =
-        checkText("a.yaml", std::string(kChain) + "evaluation: {" + key + ": [100, 50.5, 100]}\n");
-    CHECK(test::withoutFolder(twice.complaints()).find("evaluation.segment_lengths: has 100") !=
-          std::string::npos);
-  }
-}
-
 TEST_CASE("Segments are named, or a list of lengths") {
   const auto named = checkText("a.yaml", std::string(kChain) + "evaluation: {segments: short}\n");
   CHECK(named.config.evaluation.segments == config::Segments::Short);

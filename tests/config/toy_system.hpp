@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "config/loader.hpp"
-#include "config/resolved.hpp"
 #include "config/system_config.hpp"
 
 namespace tolman::test {

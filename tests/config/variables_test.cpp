@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Environment variables in values.
-#include "config/variables.hpp"
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "config/loader.hpp"
 #include "config/toy_system.hpp"
 
 namespace tolman {
@@ -12,14 +11,11 @@ namespace {
 
 /// The text after expansion, or the complaint.
 std::string expanded(const std::string& text) {
-  config::Node node;
-  node.kind = config::Node::Kind::Scalar;
-  node.text = text;
-  config::Problems problems;
   const auto environment =
       test::environmentOf({{"A", "one"}, {"EMPTY", ""}, {"TRICK", "${A} [x]"}, {"_x9", "9"}});
-  config::expandVariables(node, "key", environment, problems);
-  return problems.empty() ? node.text : problems[0].message;
+  std::string used;
+  const auto result = config::expandVariables(text, environment, used);
+  return result.isOk() ? result.value() : result.status().message();
 }
 
 }  // namespace
@@ -54,19 +50,19 @@ TEST_CASE("Illegal uses are refused with a remedy") {
 }
 
 TEST_CASE("A quoted variable may be a number, and its origin has the name of the variable") {
-  config::Node node;
-  node.kind = config::Node::Kind::Scalar;
-  node.text = "${A:-1}${B:-2}";
-  node.quoted = true;
-  config::Problems problems;
-  config::expandVariables(node, "key", test::environmentOf({}), problems);
-  CHECK(node.text == "12");
-  CHECK_FALSE(node.quoted);
-  CHECK(node.origin.variables == "A (not set), B (not set)");
-  node.text = "${A:-1}${B:-2}${C}";
-  config::expandVariables(node, "key", test::environmentOf({{"A", ""}, {"C", "3"}}), problems);
-  CHECK(node.text == "123");
-  CHECK(node.origin.variables == "A (empty), B (not set), C");
+  const auto read = [](const std::string& yaml, const config::Environment& environment) {
+    config::Problems problems;
+    return config::readYaml(yaml, config::Origin::ofFile("f"), problems, environment).value();
+  };
+  const config::Node defaults = read("'${A:-1}${B:-2}'", test::environmentOf({}));
+  CHECK(defaults.text == "12");
+  CHECK_FALSE(defaults.quoted);
+  CHECK(defaults.origin.variables == "A (not set), B (not set)");
+  const auto environment = test::environmentOf({{"A", ""}, {"C", "3"}});
+  const config::Node map = read("{${C}: ['${A:-1}${B:-2}${C}']}", environment);
+  REQUIRE(map.find("${C}") != nullptr);  // keys are not expanded
+  CHECK(map.children[0].children[0].text == "123");
+  CHECK(map.children[0].children[0].origin.variables == "A (empty), B (not set), C");
 }
 
 TEST_CASE("processEnvironment() reads the environment of this process") {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // YAML text to nodes; no input crashes the reader.
-#include "config/yaml_reader.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 
+#include "config/loader.hpp"
 #include "config/toy_system.hpp"
 #include "tolman/context.hpp"
 

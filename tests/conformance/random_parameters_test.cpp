@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "config/check.hpp"
+#include "config/values.hpp"
 #include "conformance/check_context.hpp"
 
 using namespace tolman;

@@ -39,7 +39,7 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
     return finished.err;
   };
   CHECK(contains(words({"check", "--plugin-path", "no/such/folder", "demo"}),
-                 "'no/such/folder' does not exist"));
+                 "does not exist: no/such/folder"));
   CHECK(words({"rnu", "demo"}) == "'rnu' is no command; did you mean 'run'?\n");
   CHECK(words({"help", "rnu"}) == "'rnu' is no command; did you mean 'run'?\n");
   CHECK(words({"help", "plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
@@ -142,8 +142,7 @@ TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
   CHECK(contains(broken.out + broken.err, "times.txt"));
   const Finished none = tolman::test::tolman({"dataset", "check", folder.path().string()});
   CHECK(none.exit_code == 5);
-  CHECK(contains(none.out, "has neither image_0 nor image_2"));
-  CHECK(none.err.empty());  // once is enough
+  CHECK(contains(none.err, "its layout is not known; name its source with --source"));
 }
 
 TEST_CASE("focal lengths that hardly fit each other are a warning of dataset check and run") {
@@ -298,8 +297,6 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
                  fmt::format("0,1000 is {:.1f} m from experience {}, the nearest\n",
                              plan["to"]["away_m"].get<double>(), end["experience"].get<int>())));
   CHECK_FALSE(contains(read.out, "\n0 is "));
-  CHECK(contains(read.err, "warning: 0,1000 is "));
-  CHECK(contains(read.err, " m large; places are metres right and forward of the start"));
   const Finished here =
       tolman::test::tolman({"plan", out.string(), "--from", "here", "--to", "0,0,0", "--json"});
   REQUIRE(here.exit_code == 0);
@@ -321,37 +318,13 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
   }
 }
 
-TEST_CASE("a record that was changed after its run is used with a warning") {
-  TemporaryFolder folder;
-  writeTinyKitti(folder.path() / "sequence", 20);
-  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
-  const auto out = folder.path() / "run";
-  REQUIRE(tolman::test::tolman(tinyRun(config, out)).exit_code == 0);
-  const auto changed = [&](const std::vector<std::string>& arguments) {
-    const Finished finished = tolman::test::tolman(arguments);
-    INFO(finished.err);
-    CHECK(finished.exit_code == 0);
-    return contains(finished.err, "are not those that the run wrote") &&
-           contains(finished.err, "this output is of the changed record");
-  };
-  const std::vector<std::string> plan = {"plan", out.string(), "--from", "0", "--to", "0,9"};
-  CHECK_FALSE(changed(plan));
-  CHECK_FALSE(changed({"report", out.string()}));
-  editRecord(out, "UPDATE timing SET duration_ns = 1");
-  CHECK_FALSE(changed(plan));  // a route needs no timing
-  CHECK(changed({"report", out.string()}));
-  CHECK(changed({"export", out.string(), "--out", (folder.path() / "exported").string()}));
-  editRecord(out, "UPDATE link SET weight = 0.5 WHERE id = 0");
-  CHECK(changed(plan));
-}
-
 TEST_CASE("an option with names lists them") {
   const Finished align = tolman::test::tolman({"eval", "a", "b", "--align", "foo"});
   CHECK(align.exit_code == 2);
-  CHECK(contains(align.err, "--align: 'foo' is none of none, se2, se3, sim3\n"));
+  CHECK(contains(align.err, "--align: 'foo' is not one of none, se2, se3, sim3\n"));
   const Finished motion = tolman::test::tolman({"init", "a", "--motion", "Boat"});
   CHECK(motion.exit_code == 2);
-  CHECK(contains(motion.err, "--motion: 'Boat' is none of car, hand, toy\n"));
+  CHECK(contains(motion.err, "--motion: 'Boat' is not one of car, hand, toy\n"));
 }
 
 TEST_CASE("export of what is no run is one clear error") {

@@ -93,21 +93,6 @@ Finished inHost(const std::string& plugin) {
 
 }  // namespace
 
-TEST_CASE("a plugin in the host that ends the process does not end the program with 0") {
-  for (const char* plugin : {"exit_", "exit_at_once", "exit_of_c"}) {
-    const Finished finished = inHost(plugin);
-    INFO(plugin << ": " << finished.err);
-    CHECK(finished.exit_code == 7);
-    CHECK(contains(finished.err, "a plugin has called exit() in the host process"));
-  }
-}
-
-TEST_CASE("a child that a plugin in the host has forked may end as it likes") {
-  const Finished finished = inHost("fork_and_exit");
-  INFO(finished.err);
-  CHECK(finished.exit_code == 0);
-}
-
 TEST_CASE("a child that a plugin has forked, and that comes back from the call, is ended") {
   for (const char* plugin : {"fork_and_return", "fork_and_throw"}) {
     const Finished finished = inHost(plugin);

@@ -93,29 +93,6 @@ TEST_CASE("a closed pipe does not end a run; its exit code is 8") {
   CHECK(fs::exists(tiny.out / "report.html"));
 }
 
-TEST_CASE("a limit of file sizes ends a run with exit code 8") {
-  const Tiny tiny;
-  const Finished finished = run(script("ulimit -f 40; exec", tiny.arguments()));  // KiB
-  INFO(finished.err);
-  CHECK(finished.exit_code == 8);
-  CHECK(readJson(tiny.out / "run.json")["status"] == "failed");
-  CHECK(
-      contains(finished.err, "files are limited to 40 KiB here, raise it (`ulimit -f unlimited`)"));
-}
-
-TEST_CASE("a limit of file sizes that stops the very first file is named") {
-  for (const char* limit : {"0", "8"}) {
-    const Tiny tiny;
-    // What it says goes through a pipe, which has no such limit.
-    const std::string before = std::string("said=$( (ulimit -f ") + limit + "; exec";
-    const Finished finished =
-        run(script(before, tiny.arguments(), ") 2>&1 ); code=$?; echo \"$said\"; exit $code"));
-    CAPTURE(limit, finished.out, finished.err);
-    CHECK(finished.exit_code == 8);
-    CHECK(contains(finished.out, std::string("files are limited to ") + limit + " KiB here"));
-  }
-}
-
 TEST_CASE("a closed terminal interrupts a run, even when it says so twice") {
   const Tiny tiny(80);  // 8 s in realtime
   auto command = tiny.arguments({"--set", "pipeline.mode=realtime"});

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "config/loader.hpp"
-#include "config/resolved.hpp"
 #include "config/system_config.hpp"
 #include "config/toy_system.hpp"
 #include "input.hpp"

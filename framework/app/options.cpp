@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/options.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "app/recording.hpp"
+#include "config/values.hpp"
+#include "record/atomic_file.hpp"
+#include "record/output_places.hpp"
+
+namespace tolman::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kResolved = "config.resolved.yaml";
+
+std::optional<double> finiteNumber(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+/// Whether writing the file would lose something. Links count as files: they would be replaced.
+bool isInTheWay(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(file, ignored))) return false;
+  if (fs::is_other(file, ignored) || record::isStandardOutput(file)) return false;
+  return fs::is_symlink(file, ignored) || !fs::is_empty(file, ignored);
+}
+
+}  // namespace
+
+CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& value,
+                       const std::vector<std::string>& names, const std::string& text) {
+  std::string type;
+  for (const std::string& one : names) type += (type.empty() ? "" : "|") + one;
+  return addOption(command, name, value, type, text)->check([names](const std::string& given) {
+    const bool known = std::ranges::find(names, given) != names.end();
+    return known ? "" : "'" + given + "' is not one of " + config::listed(names);
+  });
+}
+
+std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
+
+std::string positive(const std::string& value) {
+  return finiteNumber(value).value_or(0) > 0 ? "" : "must be a number above 0";
+}
+
+std::string notNegative(const std::string& value) {
+  return finiteNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
+}
+
+void refuseTwoValues(const std::vector<std::string>& overrides) {
+  std::map<std::string, std::string> values;
+  for (const std::string& one : overrides) {
+    const std::size_t equals = one.find('=');
+    if (equals == std::string::npos) continue;  // reported with its position when it is parsed
+    const std::string key = one.substr(0, equals);
+    const std::string value = one.substr(equals + 1);
+    const auto [before, is_new] = values.emplace(key, value);
+    if (is_new || before->second == value) continue;
+    throw CLI::ValidationError("--set " + key, "is given twice, as '" + before->second +
+                                                   "' and as '" + value + "'; give it once");
+  }
+}
+
+CLI::Option* Output::add(CLI::App& command, const std::string& type, const std::string& text,
+                         const std::string& replaced) {
+  command.add_flag("--force", replace, replaced);
+  return addOption(command, "--out", path, type, text)->check(notEmpty);
+}
+
+void refuseExisting(const std::vector<fs::path>& files, bool replace, const std::string& option) {
+  for (const fs::path& file : files) failUnless(record::refuseRunPlaces(file, option));
+  failUnless(record::refuseFolders(files, option));
+  refuseReplacing(files, replace, option);
+}
+
+void refuseReplacing(const std::vector<fs::path>& files, bool replace, const std::string& option) {
+  if (replace) return;
+  for (const fs::path& file : files) {
+    if (!isInTheWay(file)) continue;
+    fail(ExitCode::Record,
+         file.string() + ": exists; choose another " + option + ", or replace it with --force");
+  }
+}
+
+fs::path shippedConfig(const std::string& name) {
+  std::error_code ignored;
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  for (const fs::path& folder : {prefix / "share/tolman", prefix.parent_path()}) {
+    for (const fs::path& file : {folder / "configs" / (name + ".yaml"), folder / name}) {
+      if (fs::is_regular_file(file, ignored)) return file;
+    }
+  }
+  return {};
+}
+
+std::string configFile(const std::string& given) {
+  std::error_code ignored;
+  const bool is_file = fs::exists(given, ignored) && !fs::is_directory(given, ignored);
+  const fs::path shipped = is_file ? "" : shippedConfig(given);
+  return shipped.empty() ? given : shipped.string();
+}
+
+SystemOptionsReader::SystemOptionsReader(CLI::App& command) : command_(command) {
+  addArgument(command, "config", config_, "CONFIG",
+              "Configuration file (YAML), the name of a shipped one, or a recording");
+  addList(command, "--set", overrides_, "PATH=VALUE", "Override a value: --set a.b=c (repeatable)");
+  addOption(command, "--seed", seed_, "N", "Seed of the run; same as --set seed=N");
+  addOption(command, "--threads", threads_, "N", "Threads, 0 for all; same as --set threads=N");
+}
+
+void SystemOptionsReader::addContinue() {
+  addOption(command_, "--continue", continue_, "RUN",
+            "Continue the map of this run directory; same as --set continue=DIR");
+  CLI::Option* resume = addOption(command_, "--resume", resume_, "RUN",
+                                  "Go on with this interrupted or killed run, in its directory "
+                                  "and with its configuration");
+  command_.get_option("config")->required(false);
+  for (const char* other : {"config", "--set", "--seed", "--threads", "--continue"}) {
+    resume->excludes(command_.get_option(other));  // a resumed run keeps its options
+  }
+}
+
+run::SystemOptions SystemOptionsReader::read(const Invocation& invocation) const {
+  if (config_.empty() && resume_.empty()) {
+    throw CLI::RequiredError("a configuration, or --resume,");
+  }
+  refuseTwoValues(overrides_);
+  run::SystemOptions options{resume_.empty() ? configFile(config_) : resumedConfig(), overrides_,
+                             invocation.plugin_paths};
+  options.quiet = invocation.quiet;
+  options.find_shipped = shippedConfig;
+  if (resume_.empty()) options = withRecording(std::move(options), invocation);
+  addValue("seed", seed_, options.overrides);
+  addValue("threads", threads_, options.overrides);
+  if (!continue_.empty()) options.overrides.push_back("continue=" + config::writeText(continue_));
+  return options;
+}
+
+/// --seed N and --set seed=M: neither is certainly meant.
+void SystemOptionsReader::addValue(const std::string& name, const std::string& value,
+                                   std::vector<std::string>& overrides) const {
+  if (value.empty()) return;
+  for (const std::string& other : overrides_) {
+    if (!other.starts_with(name + "=")) continue;
+    throw CLI::ExcludesError("--" + name, "--set " + name + "=...");
+  }
+  overrides.push_back(name + "=" + value);
+}
+
+std::string SystemOptionsReader::resumedConfig() const {
+  const fs::path file = fs::path(resume_) / kResolved;
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) return file;
+  fail(ExitCode::Session, resume_ + ": " +
+                              config::absence(file,
+                                              "holds no config.resolved.yaml, so it is no run "
+                                              "directory; give the folder that a run has written"));
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The text files of a rendered folder, and the handling of a folder that is not empty.
+#include "app/kitti_folder.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "record/run_directory.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+namespace fs = std::filesystem;
+
+namespace {
+
+CameraRig kittiRig() {
+  CameraRig rig;
+  rig.width = 1241;
+  rig.height = 376;
+  rig.calibrated = true;
+  rig.pinhole = {718.856, 718.856, 607.1928, 185.2157};
+  rig.baseline = 0.5;
+  return rig;
+}
+
+void touch(const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << "x";
+}
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+TEST_CASE("calibration has four matrices, the right ones with -fx * baseline") {
+  CHECK(dataset::calibrationText(kittiRig()) ==
+        "P0: 718.856 0 607.1928 0 0 718.856 185.2157 0 0 0 1 0\n"
+        "P1: 718.856 0 607.1928 -359.428 0 718.856 185.2157 0 0 0 1 0\n"
+        "P2: 718.856 0 607.1928 0 0 718.856 185.2157 0 0 0 1 0\n"
+        "P3: 718.856 0 607.1928 -359.428 0 718.856 185.2157 0 0 0 1 0\n");
+}
+
+TEST_CASE("times are exact to the nanosecond") {
+  CHECK(dataset::timesText({0, 103'662'200, 1'000'000'001, 1'700'000'000'123'456'789}) ==
+        "0.000000000\n0.103662200\n1.000000001\n1700000000.123456789\n");
+  CHECK(dataset::timesText({-1'500'000'000, -1}) == "-1.500000000\n-0.000000001\n");
+}
+
+TEST_CASE("a new folder is made with its parents, an empty one is taken") {
+  const test::TemporaryFolder folder;
+  const fs::path path = folder.path() / "a/b/c";
+  CHECK(dataset::KittiFolder::create(path, false).isOk());
+  CHECK(dataset::KittiFolder::create(path, false).isOk());
+  CHECK(fs::is_directory(path));
+}
+
+TEST_CASE("a folder that holds something is left alone") {
+  const test::TemporaryFolder folder;
+  touch(folder.path() / "thesis.tex");
+  const auto refused = dataset::KittiFolder::create(folder.path(), false);
+  REQUIRE_FALSE(refused.isOk());
+  CHECK(refused.status().message() ==
+        folder.path().string() +
+            ": is not empty; choose another --out, or give --force to replace an earlier "
+            "rendering");
+  const auto file = dataset::KittiFolder::create(folder.path() / "thesis.tex", true);
+  REQUIRE_FALSE(file.isOk());
+  CHECK(file.status().message() == (folder.path() / "thesis.tex").string() +
+                                       ": is not a folder and cannot be made; choose another "
+                                       "--out");
+}
+
+TEST_CASE("replacing removes an earlier rendering, and nothing else") {
+  const test::TemporaryFolder folder;
+  for (const char* ours :
+       {"image_0/000000.png", "image_0/.000001.png.partial", "image_1/000000.png",
+        "image_3/1234567.png", "depth_0/000000.png", "calib.txt", "times.txt", "poses.txt",
+        "loops.txt", ".tolman-rendering"}) {
+    touch(folder.path() / ours);
+  }
+  for (const char* foreign :
+       {"thesis.tex", "image_0/notes.txt", "image_0/holiday.png", "velodyne/000000.png"}) {
+    touch(folder.path() / foreign);
+  }
+  REQUIRE(dataset::KittiFolder::create(folder.path(), true).isOk());
+  CHECK(entries(folder.path()) == 4);  // with the mark of the new one
+  CHECK(entries(folder.path() / "image_0") == 2);
+  CHECK(fs::exists(folder.path() / "thesis.tex"));
+  CHECK(fs::exists(folder.path() / "velodyne/000000.png"));
+}
+
+TEST_CASE("a data set that no rendering has made is not replaced") {
+  const test::TemporaryFolder folder;
+  touch(folder.path() / "image_0/000000.png");
+  touch(folder.path() / "calib.txt");
+  const auto refused = dataset::KittiFolder::create(folder.path(), true);
+  REQUIRE_FALSE(refused.isOk());
+  CHECK(refused.status().message().starts_with(folder.path().string() +
+                                               ": holds no rendering of Tolman"));
+  CHECK(fs::exists(folder.path() / "image_0/000000.png"));
+  CHECK(fs::exists(folder.path() / "calib.txt"));
+}
+
+TEST_CASE("two renderings cannot share a folder, and neither a rendering and a run") {
+  const test::TemporaryFolder folder;
+  const fs::path path = fs::canonical(folder.path()) / "out";
+  const std::string refusal =
+      path.string() +
+      ": another rendering or run is writing here; wait for its end, or choose another --out";
+  {
+    const auto first = dataset::KittiFolder::create(path, false);
+    REQUIRE(first.isOk());
+    touch(path / "image_0/000000.png");
+    for (const bool replace : {false, true}) {
+      CHECK(dataset::KittiFolder::create(path, replace).status().message() == refusal);
+    }
+    CHECK(fs::exists(path / "image_0/000000.png"));  // the refused one removed nothing
+    record::RunDirectoryOptions options;
+    options.out = path;
+    options.replace = true;
+    CHECK_FALSE(record::RunDirectory::create(options).isOk());
+  }
+  CHECK(dataset::KittiFolder::create(path, true).isOk());
+  CHECK_FALSE(fs::exists(path / "image_0"));
+}
+
+TEST_CASE("an image that cannot be written is named, and leaves nothing behind") {
+  const test::TemporaryFolder folder;
+  const auto target = dataset::KittiFolder::create(folder.path() / "out", false);
+  REQUIRE(target.isOk());
+  touch(folder.path() / "out/image_0");  // a file where the folder has to be
+  Frame frame;
+  frame.left = Image::create(4, 3, PixelFormat::Gray8, [](std::uint8_t*) {});
+  const Status status = target.value().writeFrame(7, frame, "");
+  REQUIRE_FALSE(status.isOk());
+  CHECK(status.message() == (folder.path() / "out/image_0/000007.png").string() +
+                                ": its folder cannot be opened; check path and permissions "
+                                "(Not a directory)");
+  CHECK(entries(folder.path() / "out") == 2);  // with the mark
+}
+
+TEST_CASE("poses and loops are written with the whole truth only") {
+  const test::TemporaryFolder folder;
+  const auto target = dataset::KittiFolder::create(folder.path(), false);
+  dataset::DriveLog log;
+  log.stamps_ns = {0, 100'000'000};
+  log.truth = {{0, 0, Eigen::Isometry3d::Identity()}};
+  REQUIRE(target.value().writeTexts(kittiRig(), log, {}).isOk());
+  CHECK(entries(folder.path()) == 3);
+  log.truth.push_back({1, 100'000'000, Eigen::Isometry3d::Identity()});
+  REQUIRE(target.value().writeTexts(kittiRig(), log, {}).isOk());
+  CHECK(entries(folder.path()) == 5);
+}
