@@ -5,10 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "car_park.hpp"
-#include "hall.hpp"
+#include "buildings.hpp"
+#include "lane_path.hpp"
 #include "route.hpp"
-#include "route_shapes.hpp"
 #include "street_plan.hpp"
 
 namespace tolman::town {
@@ -16,7 +15,7 @@ namespace {
 
 constexpr std::string_view kCarParkName = "car_park";
 constexpr std::string_view kHallName = "hall";
-constexpr double kPi = std::numbers::pi;
+
 constexpr double kLateralAcceleration = 1.5;       ///< m/s^2, in bends
 constexpr double kLongitudinalAcceleration = 1.5;  ///< m/s^2, before and after them
 constexpr double kSpeedStep = 0.05;                ///< m
@@ -194,20 +193,9 @@ CameraRoute carParkRoute(RouteOptions options) {
   return route;
 }
 
-Status checkOptions(const RouteOptions& options) {
-  const auto bad = [](double value) { return !std::isfinite(value) || value <= 0; };
-  if (bad(options.rate)) return Status::invalidParameter("rate must be positive; give frames/s");
-  if (bad(options.speed)) return Status::invalidParameter("speed must be positive; give m/s");
-  if (bad(options.camera_height)) {
-    return Status::invalidParameter("camera_height must be positive; give metres above the road");
-  }
-  return Status::ok();
-}
-
 }  // namespace
 
 Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options) {
-  if (const Status status = checkOptions(options); !status.isOk()) return status;
   struct Known {
     std::string_view name;
     LanePath (*path)();
@@ -236,6 +224,7 @@ Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& opti
   const LanePath path = known->path();
   CameraRoute route;
   route.name = name;
+  route.is_highway = name == "highway";
   for (const double s : frameDistances(path, options)) {
     addFrame(route, poseOnGround(path.at(s)), options.rate);
   }

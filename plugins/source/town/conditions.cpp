@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <functional>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <sstream>
 #include <string_view>
-#include <utility>
 
+#include "noise.hpp"
 #include "street_path.hpp"
 
 namespace tolman::town {
@@ -19,150 +19,80 @@ namespace {
 
 constexpr double kSamePlace = 5;      ///< m between frames of two passes
 constexpr double kShortMeeting = 15;  ///< m
-const double kSameDirection = std::cos(35 * std::numbers::pi / 180);
-
-/// Subject of a condition. Two words of the same subject exclude each other.
-enum class Subject { Light, Weather, Ground, Leaves, Cars };
+constexpr double kChange = 10;        ///< m to either side over which light changes
+const double kAlongStreet = std::cos(35 * std::numbers::pi / 180);
 
 struct Word {
   std::string_view name;
-  Subject subject;
   void (*change)(Condition&);
 };
 
-constexpr std::array<Word, 11> kWords = {{
-    {"day", Subject::Light, [](Condition& c) { c.hour = 10.5, c.is_night = false; }},
-    {"dusk", Subject::Light, [](Condition& c) { c.hour = 19.3, c.is_night = false; }},
-    {"night", Subject::Light, [](Condition& c) { c.hour = 0, c.is_night = true; }},
-    {"clear", Subject::Weather, [](Condition& c) { c.weather = Weather::Clear, c.rains = false; }},
-    {"overcast", Subject::Weather,
-     [](Condition& c) { c.weather = Weather::Overcast, c.rains = false; }},
-    {"fog", Subject::Weather, [](Condition& c) { c.weather = Weather::Fog, c.rains = false; }},
-    {"rain", Subject::Weather, [](Condition& c) { c.weather = Weather::Rain, c.rains = true; }},
-    {"snow", Subject::Ground, [](Condition& c) { c.snow = true; }},
-    {"bare", Subject::Leaves, [](Condition& c) { c.bare = true; }},
-    {"leaf", Subject::Leaves, [](Condition& c) { c.bare = false; }},
-    {"exchanged", Subject::Cars, [](Condition& c) { c.exchanged = true; }},
+constexpr std::array<Word, 8> kWords = {{
+    {"dusk", [](Condition& c) { c.hour = 19.3; }},
+    {"night", [](Condition& c) { c.hour = 0, c.is_night = true; }},
+    {"overcast", [](Condition& c) { c.weather = Weather::Overcast; }},
+    {"haze", [](Condition& c) { c.haze = 0.004; }},
+    {"rain", [](Condition& c) { c.weather = Weather::Rain; }},
+    {"snow", [](Condition& c) { c.snow = true; }},
+    {"bare", [](Condition& c) { c.bare = true; }},
+    {"exchanged", [](Condition& c) { c.exchanged = true; }},
 }};
 
-const Word* findWord(std::string_view name) {
-  const auto found = std::ranges::find(kWords, name, &Word::name);
-  return found == kWords.end() ? nullptr : &*found;
-}
+/// Passes and what holds on them.
+struct Entry {
+  std::string text;
+  int first = 1;
+  int last = std::numeric_limits<int>::max();
+  std::vector<std::function<void(Condition&)>> changes;
+};
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) {
-    const std::size_t begin = part.find_first_not_of(" \t\n");
-    if (begin == std::string::npos) continue;
-    parts.push_back(part.substr(begin, part.find_last_not_of(" \t\n") - begin + 1));
-  }
-  return parts;
-}
-
-/// "2" or "2-4", numbers from `least`.
-bool parseRange(std::string_view text, double least, ConditionEntry& entry) {
-  const auto number = [](std::string_view digits) -> std::optional<double> {
-    double value = 0;
-    const auto [end, failure] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (failure != std::errc{} || end != digits.data() + digits.size() || !(value <= 1e6)) {
-      return std::nullopt;
-    }
-    return value;
-  };
-  const std::size_t dash = text.find('-');
-  const auto first = number(text.substr(0, dash));
-  const auto last = dash == std::string_view::npos ? first : number(text.substr(dash + 1));
-  if (!first || !last || *first < least || *last < *first) return false;
-  entry.first = *first;
-  entry.last = *last;
-  return true;
+/// A word, or a time such as 18:30; empty for anything else.
+std::function<void(Condition&)> changeBy(const std::string& word) {
+  const auto* known = std::ranges::find(kWords, word, &Word::name);
+  if (known != kWords.end()) return known->change;
+  unsigned hours = 0;
+  unsigned minutes = 0;
+  int end = 0;
+  const bool is_time = std::sscanf(word.c_str(), "%2u:%2u%n", &hours, &minutes, &end) == 2 &&
+                       static_cast<std::size_t>(end) == word.size() && hours < 24 && minutes < 60;
+  if (!is_time) return {};
+  return [hour = hours + minutes / 60.0](Condition& c) { c.hour = hour, c.is_night = false; };
 }
 
 Status refuse(const std::string& entry, const std::string& what) {
   return Status::invalidParameter("conditions: '" + entry + "': " + what);
 }
 
-/// "all", "pass 2", "pass 2-3" or "300-450 m".
-bool parseWhere(const std::string& where, ConditionEntry& entry) {
-  std::vector<std::string> parts = split(where, ' ');
-  if (parts == std::vector<std::string>{"all"}) {
-    entry.last = std::numeric_limits<double>::infinity();
-    return true;
+/// "pass 2" or "pass 2-3".
+bool readPasses(const std::string& text, Entry& entry) {
+  int end = 0;
+  if (std::sscanf(text.c_str(), " pass %d-%d %n", &entry.first, &entry.last, &end) != 2) {
+    if (std::sscanf(text.c_str(), " pass %d %n", &entry.first, &end) != 1) return false;
+    entry.last = entry.first;
   }
-  if (parts.size() != 2) return false;
-  entry.is_pass = parts[0] == "pass";
-  if (!entry.is_pass && (parts[1] != "m" || parts[0].find('-') == std::string::npos)) return false;
-  const bool is_read = parseRange(parts[entry.is_pass ? 1 : 0], entry.is_pass ? 1 : 0, entry);
-  return is_read && (!entry.is_pass || (std::floor(entry.first) == entry.first &&
-                                        std::floor(entry.last) == entry.last));
+  return static_cast<std::size_t>(end) == text.size() && entry.first >= 1 &&
+         entry.last >= entry.first;
 }
 
-Status checkWords(const std::string& entry, const std::vector<std::string>& words) {
-  std::map<Subject, std::string> said;
-  for (const std::string& word : words) {
-    const Word* known = findWord(word);
-    if (known == nullptr) {
-      std::string text = "'" + word + "' is no condition; use ";
-      for (const Word& one : kWords)
-        text.append(&one == &kWords.front() ? "" : ", ").append(one.name);
-      return refuse(entry, text);
+Result<std::vector<Entry>> parse(const std::string& text) {
+  std::vector<Entry> entries;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ';');) {
+    Entry entry;
+    entry.text = part;
+    const std::size_t equals = part.find('=');
+    if (equals != std::string::npos && !readPasses(part.substr(0, equals), entry)) {
+      return refuse(part, "write 'pass 2 =' or 'pass 2-3 =', or only what holds everywhere");
     }
-    const auto& [before, is_new] = said.emplace(known->subject, word);
-    if (is_new || before->second == word) continue;
-    return refuse(entry, "'" + before->second + "' and '" + word + "' exclude each other");
-  }
-  return Status::ok();
-}
-
-Result<ConditionEntry> parseEntry(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  ConditionEntry entry;
-  entry.text = text;
-  if (equals == std::string::npos || !parseWhere(text.substr(0, equals), entry)) {
-    return refuse(text,
-                  "does not begin with a range; write 'pass 2 =', 'pass 2-3 =', "
-                  "'300-450 m =' or 'all =', the smaller number first, passes from 1");
-  }
-  entry.words = split(text.substr(equals + 1), ' ');
-  if (entry.words.empty()) return refuse(text, "says nothing; add words such as night or rain");
-  if (Status status = checkWords(text, entry.words); !status.isOk()) return status;
-  return entry;
-}
-
-/// Gives runs shorter than kShortMeeting the number of the run before them.
-void dropShortRuns(std::vector<int>& passes, const std::vector<double>& driven) {
-  for (std::size_t begin = 0; begin < passes.size();) {
-    std::size_t end = begin + 1;
-    while (end < passes.size() && passes[end] == passes[begin]) ++end;
-    const bool is_short = end < passes.size() && driven[end] - driven[begin] < kShortMeeting;
-    if (begin > 0 && is_short) {
-      std::fill(passes.begin() + static_cast<std::ptrdiff_t>(begin),
-                passes.begin() + static_cast<std::ptrdiff_t>(end), passes[begin - 1]);
+    std::istringstream words(equals == std::string::npos ? part : part.substr(equals + 1));
+    for (std::string word; words >> word;) {
+      entry.changes.push_back(changeBy(word));
+      if (entry.changes.back()) continue;
+      std::string known = "18:30";
+      for (const Word& one : kWords) known.append(", ").append(one.name);
+      return refuse(part, "'" + word + "' is no condition; use " + known);
     }
-    begin = end;
-  }
-}
-
-std::string nowhere(const ConditionEntry& entry, double driven, int passes) {
-  std::string most = std::to_string(std::lround(driven)) + " m long";
-  if (entry.is_pass && passes == 1) most = "never driven twice at one place";
-  if (entry.is_pass && passes > 1) {
-    most = "driven at most " + std::to_string(passes) + " times at one place";
-  }
-  return "conditions: '" + entry.text + "' holds at no frame: the route is " + most;
-}
-
-}  // namespace
-
-Result<std::vector<ConditionEntry>> parseConditions(const std::string& text) {
-  std::vector<ConditionEntry> entries;
-  for (const std::string& part : split(text, ';')) {
-    Result<ConditionEntry> entry = parseEntry(part);
-    if (!entry.isOk()) return entry.status();
-    entries.push_back(std::move(entry.value()));
+    entries.push_back(std::move(entry));
   }
   return entries;
 }
@@ -176,6 +106,28 @@ std::vector<double> drivenMetres(const CameraRoute& route) {
   }
   return driven;
 }
+
+/// Gives runs shorter than kShortMeeting the number of the run before them.
+void dropShortRuns(std::vector<int>& passes, const std::vector<double>& driven) {
+  for (std::size_t begin = 0; begin < passes.size();) {
+    std::size_t end = begin + 1;
+    while (end < passes.size() && passes[end] == passes[begin]) ++end;
+    const bool is_short = end < passes.size() && driven[end] - driven[begin] < kShortMeeting;
+    for (std::size_t i = begin; begin > 0 && is_short && i < end; ++i)
+      passes[i] = passes[begin - 1];
+    begin = end;
+  }
+}
+
+Light lightOf(const Condition& condition, std::uint32_t seed) {
+  Light light = makeLight(condition.hour, condition.weather, condition.haze, hash(seed, 303));
+  if (condition.is_night) makeNight(light);
+  light.wet = light.rain = condition.weather == Weather::Rain ? 1 : 0;
+  light.snow = condition.snow ? 1 : 0;
+  return light;
+}
+
+}  // namespace
 
 std::vector<int> passNumbers(const CameraRoute& route) {
   const std::vector<double> driven = drivenMetres(route);
@@ -192,7 +144,7 @@ std::vector<int> passNumbers(const CameraRoute& route) {
     for (const std::size_t other : grid.near(placeOf(i))) {
       const bool meets = driven[i] - driven[other] > kOtherPass &&
                          (placeOf(i) - placeOf(other)).norm() < kSamePlace &&
-                         std::abs(headingOf(i).dot(headingOf(other))) > kSameDirection;
+                         std::abs(headingOf(i).dot(headingOf(other))) > kAlongStreet;
       if (meets) before = std::max(before, passes[other]);
     }
     passes.push_back(before + 1);
@@ -202,25 +154,42 @@ std::vector<int> passNumbers(const CameraRoute& route) {
   return passes;
 }
 
-std::vector<Condition> conditionsOf(const CameraRoute& route,
-                                    const std::vector<ConditionEntry>& entries,
-                                    std::vector<std::string>& warnings) {
-  std::vector<Condition> conditions(route.T_town_camera.size());
-  if (entries.empty()) return conditions;
-  const std::vector<double> driven = drivenMetres(route);
-  const std::vector<int> passes = passNumbers(route);
-  for (const ConditionEntry& entry : entries) {
+Result<Conditions> Conditions::make(const std::string& text, const CameraRoute& route,
+                                    std::uint32_t seed) {
+  const Result<std::vector<Entry>> entries = parse(text);
+  if (!entries.isOk()) return entries.status();
+  Conditions made;
+  made.conditions_.resize(route.T_town_camera.size());
+  made.driven_ = drivenMetres(route);
+  const std::vector<int> passes = entries.value().empty() ? std::vector<int>{} : passNumbers(route);
+  for (const Entry& entry : entries.value()) {
     bool holds = false;
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
-      const double at = entry.is_pass ? passes[i] : driven[i];
-      if (at < entry.first || at > entry.last) continue;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+      if (passes[i] < entry.first || passes[i] > entry.last) continue;
       holds = true;
-      for (const std::string& word : entry.words) findWord(word)->change(conditions[i]);
+      for (const auto& change : entry.changes) change(made.conditions_[i]);
     }
-    if (!holds)
-      warnings.push_back(nowhere(entry, driven.back(), *std::ranges::max_element(passes)));
+    if (holds) continue;
+    made.warnings_.push_back("conditions: '" + entry.text +
+                             "' holds at no frame: a place is driven at most " +
+                             std::to_string(*std::ranges::max_element(passes)) + " times");
   }
-  return conditions;
+  for (const Condition& condition : made.conditions_) {
+    made.lights_.push_back(lightOf(condition, seed));
+  }
+  return made;
+}
+
+Light Conditions::lightAt(std::size_t frame) const {
+  std::size_t first = frame;
+  std::size_t end = frame + 1;
+  while (first > 0 && driven_[frame] - driven_[first - 1] <= kChange) --first;
+  while (end < driven_.size() && driven_[end] - driven_[frame] <= kChange) ++end;
+  bool is_one = true;
+  for (std::size_t i = first; i < end; ++i) {
+    is_one = is_one && conditions_[i] == conditions_[frame];
+  }
+  return is_one ? lights_[frame] : meanOf({lights_.data() + first, end - first});
 }
 
 }  // namespace tolman::town

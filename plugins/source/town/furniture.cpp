@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "furniture.hpp"
-
 #include "noise.hpp"
+#include "objects.hpp"
 #include "shapes.hpp"
 
 namespace tolman::town {

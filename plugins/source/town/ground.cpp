@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Marching squares, row by row, so that no memory is needed besides that of the mesh.
-#include "ground.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
+
+#include "objects.hpp"
 
 namespace tolman::town {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "house.hpp"
-
 #include "noise.hpp"
+#include "objects.hpp"
 #include "shapes.hpp"
 
 namespace tolman::town {
 namespace {
 
-constexpr float kStorey = 2.9F;    // m
 constexpr float kSunk = 2;         // m that walls reach below ground, for slopes
 constexpr float kOverhang = 0.4F;  // m
 

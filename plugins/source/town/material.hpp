@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Albedo of points of the town, averaged over the pixel: eight points of one surface at once, which
 // is what most packets of rays meet.
+// Effects of rain and snow on surfaces.
 #pragma once
 
 #include <cstdint>
 
 #include "lanes.hpp"
+#include "light.hpp"
 #include "street_plan.hpp"
-#include "surface.hpp"
 #include "vec3.hpp"
+#include "world.hpp"
 
 namespace tolman::town {
 
@@ -37,16 +39,20 @@ void albedos(const Surface& surface, const SurfaceHits& hits, const StreetPlan& 
 /// Shares of the pixels that are covered by lit windows of a facade.
 void litWindows(const Surface& surface, const SurfaceHits& hits, Eight& result);
 
-/// Shares of the pixels that are covered by glass, in windows of houses and cars.
-void glassShares(const Surface& surface, const SurfaceHits& hits, Eight& result);
-void windowGlass(const Surface& surface, const SurfaceHits& hits, Eight& result);
-void carGlass(const SurfaceHits& hits, Eight& result);
-
 // One function for each group of materials; albedos() selects it.
 void groundAlbedos(const Surface& surface, const SurfaceHits& hits, const StreetPlan& plan,
                    Eight& result);
 void buildingAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result);
 void plantAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result);
 void objectAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result);
+
+/// Albedo of a surface whose dry albedo is `dry`. `normal` and `point` in town axes.
+float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, const Vec3& normal,
+                      float footprint, const Light& light, const StreetPlan& plan);
+
+/// Share of light that wet ground reflects to a camera that looks along `way` (unit); 0 for
+/// surfaces that are not ground.
+float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
+                    const Light& light);
 
 }  // namespace tolman::town

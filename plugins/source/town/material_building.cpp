@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facades with windows and doors, and roofs. u runs along the wall, v up from the ground.
+#include "lanes.hpp"
 #include "material.hpp"
-#include "noise_lanes.hpp"
-#include "pattern.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
-
-constexpr float kStorey = 2.9F;  // m
 
 /// Points of the wall with the extents of their pixels, m.
 struct WallPoints {
@@ -183,14 +180,6 @@ void litWindows(const Surface& surface, const SurfaceHits& hits, Eight& result) 
   const Eight glow =
       cover(shrunk(nearest.box, 0.09F), at) * between(hash(nearest.seed, 9), 0.4F, 1);
   result = select(lit, glow, Eight{});
-}
-
-TOLMAN_WIDE_LANES
-void windowGlass(const Surface& surface, const SurfaceHits& hits, Eight& result) {
-  const WallPoints at = wallPoints(surface, hits);
-  const Openings nearest = openingsAt(surface, at, surface.seed);
-  // Shutters are inside.
-  result = select(nearest.is_window, cover(shrunk(nearest.box, 0.09F), at), Eight{});
 }
 
 TOLMAN_WIDE_LANES

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asphalt, kerbs, paint, pavement and grass. Patterns are functions of the town's X and Y.
+// Asphalt, kerbs, paint, pavement and grass: patterns are functions of the town's X and Y. Rain and
+// snow on all surfaces.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lanes.hpp"
 #include "material.hpp"
-#include "noise_lanes.hpp"
-#include "pattern.hpp"
+#include "noise.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::town {
+
 namespace {
 
 /// Octaves of noise for a long, narrow footprint, as in grazing views: the mean of samples along
@@ -37,14 +43,14 @@ TOLMAN_INLINE Eight grazingFractal(const SurfaceHits& hits, float wavelength, in
 
 /// Repaired rectangles, darker or lighter than the rest, with a tarred seam.
 TOLMAN_INLINE Eight patches(const SurfaceHits& hits, std::uint32_t seed) {
-  constexpr float kCell = 9;  // m
-  const Eight cx = floorOf(hits.point.x / kCell);
-  const Eight cy = floorOf(hits.point.y / kCell);
+  constexpr float kPatchCell = 9;  // m
+  const Eight cx = floorOf(hits.point.x / kPatchCell);
+  const Eight cy = floorOf(hits.point.y / kPatchCell);
   const EightWords h = hash(words(truncated(cx)), words(truncated(cy)), seed);
   const EightInts none = unit(h) > 0.45F;
   if (all(none)) return Eight{};
-  const Eight x = hits.point.x - cx * kCell;
-  const Eight y = hits.point.y - cy * kCell;
+  const Eight x = hits.point.x - cx * kPatchCell;
+  const Eight y = hits.point.y - cy * kPatchCell;
   const Eight left = between(hash(h, 1), 0.5F, 5);
   const Eight low = between(hash(h, 2), 0.5F, 5);
   const Eight right = left + between(hash(h, 3), 0.6F, 3.5F);
@@ -157,6 +163,58 @@ void groundAlbedos(const Surface& surface, const SurfaceHits& hits, const Street
     default:
       result = land(surface, hits, plan);
   }
+}
+
+namespace {
+
+bool isGround(const Surface& surface) {
+  return surface.material == Material::Road || surface.material == Material::Paint ||
+         surface.material == Material::Kerb || surface.material == Material::Land;
+}
+
+/// 1 in puddles, 0 on damp ground between them.
+float puddle(const Vec3& point) {
+  const float n = noise2(point.x / 2.7F, point.y / 2.7F, 911) +
+                  0.4F * noise2(point.x / 0.8F, point.y / 0.8F, 912);
+  return smoothstep(0.45F, 0.65F, n);
+}
+
+/// Share of the ground that snow covers; less in the tracks of cars.
+float snowCover(const Surface& surface, const Vec3& point, const Vec3& normal,
+                const StreetPlan& plan) {
+  const float upwards = smoothstep(0.35F, 0.75F, normal.z);
+  if (surface.material == Material::Leaves) return 0.75F * upwards;
+  if (surface.material != Material::Road && surface.material != Material::Paint) return upwards;
+  const auto from_centre = static_cast<float>(plan.distance(point.x, point.y));
+  const float ragged = 0.08F * noise2(point.x / 1.1F, point.y / 1.1F, 921);
+  const float from_track =
+      std::abs(std::abs(from_centre - static_cast<float>(StreetPlan::kLaneOffset)) - 0.75F);
+  return 0.1F + 0.85F * smoothstep(0.2F, 0.45F, from_track + ragged);
+}
+
+}  // namespace
+
+float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, const Vec3& normal,
+                      float footprint, const Light& light, const StreetPlan& plan) {
+  float albedo = dry;
+  if (light.wet > 0 && isGround(surface)) {
+    albedo *= 1 - light.wet * (0.4F + 0.2F * puddle(point));
+  }
+  if (light.snow > 0) {
+    const float crust = fractal2(point.x, point.y, 1.3F, 4, footprint, 931);
+    const float drifts = noise2(point.x / 6, point.y / 6, 932);
+    const float white = 0.72F * (1 + 0.12F * crust + 0.05F * drifts);
+    albedo += light.snow * snowCover(surface, point, normal, plan) * (white - albedo);
+  }
+  return albedo;
+}
+
+float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
+                    const Light& light) {
+  if (!isGround(surface) || normal.z < 0.7F) return 0;
+  const float cosine = std::clamp(-dot(way, normal), 0.0F, 1.0F);
+  const float fresnel = 0.02F + 0.98F * std::pow(1 - cosine, 5.0F);  // Schlick, water
+  return light.wet * fresnel * (0.12F + 0.78F * puddle(point));
 }
 
 }  // namespace tolman::town

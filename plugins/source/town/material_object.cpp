@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cars, fences, posts and boards.
+// Cars, fences, posts, boards; leaves and bark: noise in three dimensions, in axes of the plant.
+
+#include "lanes.hpp"
 #include "material.hpp"
-#include "noise_lanes.hpp"
-#include "pattern.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::town {
+
 namespace {
 
 TOLMAN_INLINE Eight wood(const Surface& surface, const SurfaceHits& hits) {
@@ -21,13 +22,6 @@ TOLMAN_INLINE Eight wood(const Surface& surface, const SurfaceHits& hits) {
   const Eight grain = fractal2(u * 4, dot(local, vec3s(surface.axis_v)), 0.5F, 3,
                                4 * hits.footprint(), surface.seed);
   return surface.tone * larger(1 + single + 0.3F * grain - 0.7F * gaps, 0.1F);
-}
-
-/// Clothes in the tone of the person, darker in folds.
-TOLMAN_INLINE Eight cloth(const Surface& surface, const SurfaceHits& hits) {
-  const Eight tone = between(hash(hits.seed, 3), 0.04F, 0.6F);
-  const Vec3s folds = {hits.point.x, hits.point.y, 0.5F * hits.point.z};
-  return tone * larger(1 + 0.4F * fractal3(folds, 0.2F, 3, hits.footprint(), surface.seed), 0.3F);
 }
 
 TOLMAN_INLINE Eight glassOfCar(const SurfaceHits& hits) {
@@ -74,9 +68,6 @@ TOLMAN_INLINE Eight plain(const Surface& surface, const SurfaceHits& hits) {
 }  // namespace
 
 TOLMAN_WIDE_LANES
-void carGlass(const SurfaceHits& hits, Eight& result) { result = glassOfCar(hits); }
-
-TOLMAN_WIDE_LANES
 void objectAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   switch (surface.material) {
     case Material::Wood:
@@ -88,11 +79,57 @@ void objectAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& resul
     case Material::Board:
       result = board(surface, hits);
       break;
-    case Material::Cloth:
-      result = cloth(surface, hits);
-      break;
     default:
       result = plain(surface, hits);
+  }
+}
+
+namespace {
+
+/// Bright leaves before dark gaps: the strongest texture of a real street.
+TOLMAN_INLINE Eight leaves(const Surface& surface, const SurfaceHits& hits) {
+  // Leaves have all orientations, so a slanting surface of leaves is foreshortened less than a
+  // wall.
+  const Eight footprint = squareRoot(norm(hits.dx) * norm(hits.dy));
+  const auto [boughs, clumps, leaf, scraps] = layers3(hits.point, 2.4F, footprint, hits.seed);
+  const Eight tuft = 0.35F * clumps + 1.0F * leaf + 0.8F * scraps;
+  const Eight gap = smoothstep(0.05F, 0.4F, -tuft);
+  const Eight shine = smoothstep(0.05F, 0.6F, tuft);
+  return surface.tone * larger((1 + 0.3F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine), 0.05F);
+}
+
+TOLMAN_INLINE Eight bark(const Surface& surface, const SurfaceHits& hits) {
+  const Vec3s stretched = {hits.point.x * 3, hits.point.y * 3, hits.point.z * 0.6F};
+  const Eight furrows = fractal3(stretched, 0.3F, 3, 3 * hits.footprint(), hits.seed);
+  return surface.tone * larger(1 + 0.7F * furrows, 0.2F);
+}
+
+}  // namespace
+
+TOLMAN_WIDE_LANES
+void plantAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
+  result = surface.material == Material::Leaves ? leaves(surface, hits) : bark(surface, hits);
+}
+
+void albedos(const Surface& surface, const SurfaceHits& hits, const StreetPlan& plan,
+             Eight& result) {
+  switch (surface.material) {
+    case Material::Road:
+    case Material::Kerb:
+    case Material::Land:
+    case Material::Paint:
+      return groundAlbedos(surface, hits, plan, result);
+    case Material::Facade:
+    case Material::Roof:
+      return buildingAlbedos(surface, hits, result);
+    case Material::Leaves:
+    case Material::Bark:
+      return plantAlbedos(surface, hits, result);
+    case Material::Plain:
+    case Material::Wood:
+    case Material::Body:
+    case Material::Board:
+      return objectAlbedos(surface, hits, result);
   }
 }
 

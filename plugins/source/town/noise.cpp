@@ -2,7 +2,7 @@
 // Four octaves of noise at once, for single points; textures are in noise_lanes.hpp.
 #include "noise.hpp"
 
-#include "noise_lanes.hpp"
+#include "lanes.hpp"
 
 namespace tolman::town {
 namespace {

@@ -7,10 +7,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kCell = 50;  // m; so large that a plot is only in neighbouring cells
+constexpr double kBookCell = 50;  // m; so large that a plot is only in neighbouring cells
 
-std::int64_t cellKey(std::int64_t x, std::int64_t y) { return (x << 32) ^ (y & 0xffffffff); }
-std::int64_t cellOf(double x) { return static_cast<std::int64_t>(std::floor(x / kCell)); }
+std::int64_t bookKey(std::int64_t x, std::int64_t y) { return (x << 32) ^ (y & 0xffffffff); }
+std::int64_t bookCell(double x) { return static_cast<std::int64_t>(std::floor(x / kBookCell)); }
 
 /// Whether an axis of `a` separates the two rectangles.
 bool separatedBy(const Plot& a, const Plot& b) {
@@ -37,7 +37,6 @@ bool PlotBook::clearOfStreets(const Plot& plot, double clearance) const {
       const double over = plot.half_depth * (2.0 * j / (rows - 1) - 1);
       const Eigen::Vector2d p = plot.point(along, over);
       if (plan_->distance(p.x(), p.y()) < clearance) return false;
-      if (!plan_->decks().empty() && plan_->deckDistance(p.x(), p.y()) < clearance) return false;
     }
   }
   return true;
@@ -45,17 +44,17 @@ bool PlotBook::clearOfStreets(const Plot& plot, double clearance) const {
 
 bool PlotBook::enter(const Plot& plot, double clearance) {
   if (!clearOfStreets(plot, clearance)) return false;
-  const std::int64_t x = cellOf(plot.centre.x());
-  const std::int64_t y = cellOf(plot.centre.y());
+  const std::int64_t x = bookCell(plot.centre.x());
+  const std::int64_t y = bookCell(plot.centre.y());
   for (std::int64_t i = x - 1; i <= x + 1; ++i) {
     for (std::int64_t j = y - 1; j <= y + 1; ++j) {
-      const auto cell = cells_.find(cellKey(i, j));
+      const auto cell = cells_.find(bookKey(i, j));
       if (cell == cells_.end()) continue;
       const auto hit = [&](const Plot& other) { return overlap(plot, other); };
       if (std::any_of(cell->second.begin(), cell->second.end(), hit)) return false;
     }
   }
-  cells_[cellKey(x, y)].push_back(plot);
+  cells_[bookKey(x, y)].push_back(plot);
   return true;
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "light_lanes.hpp"
-#include "material_weather.hpp"
-#include "placements.hpp"
+#include "lanes.hpp"
+#include "light.hpp"
+#include "material.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::town {
@@ -184,27 +184,12 @@ TOLMAN_INLINE SurfaceHits RayPacket::hitsOf(const Meetings& m) const {
   return hits;
 }
 
-/// Displacement of leaves by the wind; each clump has its own phase.
-void RayPacket::flutter(const Meetings& m, Vec3s& points) const {
-  constexpr float kReach = 0.004F;  // m in a wind of 1 m/s
-  const float reach = kReach * around_.light->wind;
-  const float t = around_.light->seconds;
-  for (int i = 0; i < kLanes; ++i) {
-    if (m.foliage[i] == 0) continue;
-    const float phase = 7 * points.x[i] + 5 * points.y[i] + 6 * points.z[i];
-    points.x[i] += reach * std::sin(9.1F * t + phase);
-    points.y[i] += reach * std::sin(7.7F * t + 1.3F * phase + 2);
-    points.z[i] += 0.5F * reach * std::sin(11.3F * t + phase + 4);
-  }
-}
-
 TOLMAN_WIDE_LANES
 void RayPacket::shadeGroup(const Meetings& m, Shaded* shaded) const {
   const Light& light = *around_.light;
   Eight radiance = {};
   if (any(m.hit)) {
     SurfaceHits hits = hitsOf(m);
-    if (light.wind > 0 && any(m.foliage)) flutter(m, hits.point);
     Eight tone = {};
     forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_INLINE_LAMBDA {
       const EightWords seed = surface.seed - EightWords{};
@@ -219,7 +204,7 @@ void RayPacket::shadeGroup(const Meetings& m, Shaded* shaded) const {
     const Vec3s facing = select(m.foliage, of_leaves, m.normal);
     const Eight merged = m.lit + (0.5F - m.lit) * smoothstep(kClumpsMerge, kClumpsMerged, m.t);
     const Eight on = lightOnto(light, facing, select(m.foliage, merged, m.lit));
-    if (light.wet > 0 || light.snow > 0 || light.puddles > 0) weather(m, hits, tone);
+    if (light.wet > 0 || light.snow > 0) weather(m, hits, tone);
     radiance = tone * on;
     if (light.lamps > 0) addLamps(m, hits, tone, radiance);
     radiance = lightThrough(light, radiance, m.t * norm(m.direction));
@@ -247,14 +232,9 @@ void RayPacket::weather(const Meetings& m, const SurfaceHits& hits, Eight& tone)
 }
 
 float RayPacket::lampLight(const Vec3& point, const Vec3& normal) const {
-  constexpr float kOncoming = 0.3F;  // low beams of other cars hardly light what the camera sees
-  const Light& light = *around_.light;
-  float sum = headlightsOnto(light.headlights, point, normal);
+  float sum = headlightsOnto(around_.light->headlights, point, normal);
   if (around_.lamps != nullptr) sum += around_.lamps->onto(point, normal);
-  for (int i = 0; i < light.oncoming_count; ++i) {
-    sum += kOncoming * headlightsOnto(light.oncoming[static_cast<std::size_t>(i)], point, normal);
-  }
-  return light.lamps * sum;
+  return around_.light->lamps * sum;
 }
 
 /// Adds the light of lamps on the points, and what shines by itself.
@@ -266,7 +246,7 @@ void RayPacket::addLamps(const Meetings& m, const SurfaceHits& hits, const Eight
   glow(m, hits, radiance);
 }
 
-/// Adds emitted radiance: of heads of lamps, lit windows, lamps of cars.
+/// Adds emitted radiance: of heads of lamps and lit windows.
 void RayPacket::glow(const Meetings& m, const SurfaceHits& hits, Eight& radiance) const {
   constexpr float kLamp = 6;
   constexpr float kWindow = 0.12F;
@@ -278,41 +258,28 @@ void RayPacket::glow(const Meetings& m, const SurfaceHits& hits, Eight& radiance
       radiance += select(mask, lamps * kWindow * windows, Eight{});
       return;
     }
+    if (surface.material != Material::Plain || around_.lamps == nullptr) return;
     for (int i = 0; i < kLanes; ++i) {
-      if (mask[i] == 0) continue;
-      const MeshInstance* instance = m.instance[static_cast<std::size_t>(i)];
-      if (surface.material == Material::Body && instance != nullptr && instance->shines) {
-        radiance[i] += lamps * carLamps(lane(hits.point, i), lane(hits.normal, i));
-      } else if (surface.material == Material::Plain && around_.lamps != nullptr &&
-                 around_.lamps->isHead(lane(m.point, i))) {
-        radiance[i] += lamps * kLamp;
-      }
+      if (mask[i] != 0 && around_.lamps->isHead(lane(m.point, i))) radiance[i] += lamps * kLamp;
     }
   });
 }
 
 /// Shares of light that the points reflect like a mirror.
 void RayPacket::mirrorShares(const Meetings& m, Eight& shares) const {
-  const Light& light = *around_.light;
   shares = Eight{};
-  const SurfaceHits hits = hitsOf(m);
-  forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_INLINE_LAMBDA {
-    Eight glass = {};
-    if (light.glass > 0) glassShares(surface, hits, glass);
-    for (int i = 0; i < kLanes; ++i) {
-      if (mask[i] == 0) continue;
-      const Vec3 normal = lane(m.normal, i);
-      const Vec3 way = normalised(lane(m.direction, i));
-      shares[i] = mirroredShare(surface, lane(m.point, i), normal, way, light) +
-                  light.glass * mirroredByGlass(glass[i], normal, way);
-    }
-  });
+  for (int i = 0; i < kLanes; ++i) {
+    if (m.hit[i] == 0) continue;
+    const Surface& surface = around_.scene->surface(m.surface[static_cast<std::size_t>(i)]);
+    shares[i] = mirroredShare(surface, lane(m.point, i), lane(m.normal, i),
+                              normalised(lane(m.direction, i)), *around_.light);
+  }
 }
 
-/// Adds reflections of wet ground and glass. For reflected rays the ground is dry.
+/// Adds reflections of wet ground. For reflected rays the ground is dry.
 void RayPacket::mirror(const std::array<Meetings, kGroups>& groups, Shaded* shaded) const {
   Light dry = *around_.light;
-  dry.wet = dry.glass = dry.puddles = 0;
+  dry.wet = 0;
   Surroundings around = around_;
   around.light = &dry;
   RayPacket mirrored(around);
@@ -363,7 +330,7 @@ std::array<Shaded, kRaysPerPacket> RayPacket::shade() {
     if (light.sun > 0) castShadows(meetings[g]);
     shadeGroup(meetings[g], result.data() + g * kLanes);
   }
-  if (light.wet > 0 || light.glass > 0 || light.puddles > 0) mirror(meetings, result.data());
+  if (light.wet > 0) mirror(meetings, result.data());
   count_ = 0;
   return result;
 }

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 
-#include "lamp_light.hpp"
 #include "light.hpp"
 #include "material.hpp"
 #include "scene.hpp"
@@ -73,7 +72,6 @@ class RayPacket {
   void castShadows(Meetings& meetings) const;
   void shadeGroup(const Meetings& meetings, Shaded* shaded) const;
   void mirror(const std::array<Meetings, kGroups>& meetings, Shaded* shaded) const;
-  void flutter(const Meetings& meetings, Vec3s& points) const;
   void addLamps(const Meetings& meetings, const SurfaceHits& hits, const Eight& tone,
                 Eight& radiance) const;
   void weather(const Meetings& meetings, const SurfaceHits& hits, Eight& tone) const;

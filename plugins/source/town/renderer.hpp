@@ -7,12 +7,19 @@
 #include <vector>
 
 #include "light.hpp"
-#include "pixel_warp.hpp"
 #include "scene.hpp"
 #include "street_plan.hpp"
 #include "tolman/camera.hpp"
 
 namespace tolman::town {
+
+/// Displacements, row-major, one per pixel; empty for an exact calibration.
+struct PixelWarp {
+  std::vector<float> x;  ///< px: the ray of pixel u is that of u + x in a perfect camera
+  std::vector<float> y;
+
+  bool isEmpty() const { return x.empty(); }
+};
 
 /// Pose, intrinsics (px) and image size (px) of the camera that is rendered.
 struct RenderCamera {

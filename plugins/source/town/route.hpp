@@ -29,11 +29,12 @@ struct CameraRoute {
   /// Left camera (x right, y down, z forward) to town axes (see mesh.hpp); the first is the
   /// origin, looking along Y.
   std::vector<Eigen::Isometry3d> T_town_camera;
-  /// Whether each frame is on a deck: a bridge, or a floor of the car park. Its height is not used
-  /// for streets and terrain. Empty: no frame.
+  /// Whether each frame is on a floor of the car park, whose height is not used for streets and
+  /// terrain. Empty: no frame.
   std::vector<bool> raised;
   std::vector<GroundPad> pads;
   Building building = Building::None;
+  bool is_highway = false;  ///< guard rails and open land
 
   bool isRaised(std::size_t frame) const { return frame < raised.size() && raised[frame]; }
 };
@@ -53,5 +54,16 @@ Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& opti
 /// line without twelve finite numbers, a matrix that is not a rotation, and poses too far apart for
 /// a drive. The message has file, line, error and remedy.
 Result<CameraRoute> readRoute(const std::filesystem::path& file, const RouteOptions& options);
+
+/// A flight along the same streets, 0 to 4 m above the first camera as a function of the place.
+/// Pitch and roll of up to 8 degrees are functions of time, so they differ between passes.
+CameraRoute flown(const CameraRoute& driven);
+
+/// The same path on level ground at the height of the first pose, without pitch and roll.
+CameraRoute groundTrack(const CameraRoute& flown);
+
+/// Moves passes that meet to their mean height, over some 100 m of driving before and after. The
+/// pitch follows the slope. Horizontal positions, yaw and roll do not change.
+CameraRoute levelled(const CameraRoute& route, double camera_height);
 
 }  // namespace tolman::town

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = 256U << 20U;
 constexpr double kRotationTolerance = 1e-3;  // KITTI prints seven digits
-constexpr double kFastest = 60;              ///< m/s
+constexpr double kFastestDrive = 60;              ///< m/s
 constexpr double kLongestStep = 5;           ///< m, at any rate
 constexpr double kLargestTurn = 60;          ///< degrees between frames
 
@@ -73,7 +73,7 @@ std::variant<Eigen::Isometry3d, std::string> parsePose(std::string_view line) {
 /// The reason why a step between two frames cannot be driven; empty if it can.
 std::optional<std::string> stepProblem(const Eigen::Isometry3d& before,
                                        const Eigen::Isometry3d& after, double rate) {
-  const double longest = std::max(kLongestStep, kFastest / rate);
+  const double longest = std::max(kLongestStep, kFastestDrive / rate);
   const double step = (after.translation() - before.translation()).norm();
   if (!(step <= longest)) {
     return "is " + fixed(step, 1) + " m from the pose before, farther than a car drives in " +

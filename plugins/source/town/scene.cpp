@@ -17,18 +17,7 @@ namespace {
 std::array<float, 12> matrixOf(const Placement& p) {
   const float c = p.cosine * p.scale;
   const float s = p.sine * p.scale;
-  return {c,
-          s,
-          0,
-          -s,
-          c,
-          0,
-          p.lean_x * p.scale,
-          p.lean_y * p.scale,
-          p.scale,
-          p.position.x,
-          p.position.y,
-          p.position.z};
+  return {c, s, 0, -s, c, 0, 0, 0, p.scale, p.position.x, p.position.y, p.position.z};
 }
 
 // Both are rows of one number of each ray.
@@ -75,26 +64,6 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
     throw std::runtime_error("Embree does not know this processor");
   }
   if (!device_) throw std::bad_alloc();  // or no memory for its threads
-  try {
-    build(std::move(world));
-  } catch (const std::bad_alloc&) {
-    abandon();
-    throw;
-  }
-}
-
-Scene::~Scene() {
-  if (is_out_of_memory_) abandon();
-}
-
-void Scene::abandon() {
-  for (SceneHandle& scene : prototype_scenes_) (void)scene.release();
-  (void)placed_.release();
-  (void)fixed_.release();
-  (void)device_.release();
-}
-
-void Scene::build(World world) {
   has_packets_of_16_ =
       rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   fixed_.reset(newScene(device_.get()));
@@ -122,9 +91,7 @@ void Scene::build(World world) {
 void Scene::check(const char* what) {
   const RTCError error = rtcGetDeviceError(device_.get());
   if (error == RTC_ERROR_NONE) return;
-  // It is unknown where a thread, or memory of the system's library, could not be had.
-  is_out_of_memory_ = error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN;
-  if (is_out_of_memory_) throw std::bad_alloc();
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error(std::string("Embree: ") + what + " failed");
 }
 
@@ -161,14 +128,6 @@ void Scene::move(std::size_t index, const Placement& placement) {
   has_moved_[index] = true;
   rtcSetGeometryTransform(instance_geometries_[index], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                           matrixOf(placement).data());
-  rtcCommitGeometry(instance_geometries_[index]);
-}
-
-void Scene::change(std::size_t index, std::uint32_t prototype) {
-  if (instances_.at(index).prototype == prototype) return;
-  instances_[index].prototype = prototype;
-  has_moved_[index] = true;
-  rtcSetGeometryInstancedScene(instance_geometries_[index], prototype_scenes_.at(prototype).get());
   rtcCommitGeometry(instance_geometries_[index]);
 }
 
@@ -256,8 +215,7 @@ void Scene::markInstance(std::size_t index) {
     const Vec3 own = Vec3{(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
                           (i & 4U) != 0 ? high.z : low.z} *
                      p.scale;
-    const Vec3 lean = {p.lean_x * own.z, p.lean_y * own.z, 0};
-    corners[i] = p.rotate(own) + lean + p.position;
+    corners[i] = p.rotate(own) + p.position;
   }
   shadows_.mark(corners, has_moved_[index]);
 }

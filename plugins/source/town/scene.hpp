@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "lamp_light.hpp"
+#include "light.hpp"
 #include "shadow_grid.hpp"
 #include "world.hpp"
 
@@ -25,9 +25,6 @@ class Scene {
   /// Builds the search structures; stores the surfaces and passes the triangles to Embree. Throws
   /// std::runtime_error if Embree fails, std::bad_alloc for lack of memory.
   explicit Scene(World world);
-  ~Scene();
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
 
   /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
   void intersect(const int* valid, RTCRayHit16& rays) const;
@@ -38,7 +35,7 @@ class Scene {
   void occlude(const int* by_fixed, const int* by_placed, RTCRay8& rays) const;
   /// Where to look for what blocks rays to the sun.
   const ShadowGrid& shadows() const { return shadows_; }
-  /// Tells the direction of the sun of the next pictures, after commit().
+  /// Sets the direction of the sun of the next pictures, after commit().
   void setSun(const Vec3& to_sun);
 
   struct Owner {
@@ -48,14 +45,11 @@ class Scene {
   Owner ownerOf(std::uint32_t instance, std::uint32_t primitive) const;
   const Surface& surface(std::uint32_t index) const { return surfaces_[index]; }
 
-  std::size_t instances() const { return instances_.size(); }
   const StreetLamps& lamps() const { return lamps_; }
   /// Instances are shown until hidden.
   void show(std::size_t index, bool shown);
   /// Moves instance `index`. This and show() take effect at commit().
   void move(std::size_t index, const Placement& placement);
-  /// Changes the prototype of instance `index`.
-  void change(std::size_t index, std::uint32_t prototype);
   void commit();
   std::size_t triangles() const { return triangles_; }
 
@@ -76,11 +70,7 @@ class Scene {
   void markFixed(const Vec3& to_sun);
   void markInstance(std::size_t index);
   void attachInstance(const MeshInstance& instance);
-  void build(World world);
   void check(const char* what);
-  /// Leaves the objects of Embree to the end of the process: to release a scene whose build ran out
-  /// of memory ends the process (Embree 3.13.5).
-  void abandon();
 
   Device device_;
   // Two scenes, because a commit builds the whole search structure of its scene anew: a car that
@@ -102,8 +92,7 @@ class Scene {
   std::size_t ground_triangles_ = 0;  ///< the first ones of the fixed mesh
   std::vector<GroundArea> boxes_;     ///< around the prototypes
   std::vector<bool> has_moved_;       ///< instances that are not where they were at first
-  bool is_out_of_memory_ = false;
-  bool has_packets_of_16_ = false;  ///< the processor has instructions for them
+  bool has_packets_of_16_ = false;    ///< the processor has instructions for them
 };
 
 }  // namespace tolman::town

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "seasons.hpp"
-
 #include <algorithm>
 #include <map>
 
 #include "noise.hpp"
+#include "objects.hpp"
 #include "shapes.hpp"
 
 namespace tolman::town {

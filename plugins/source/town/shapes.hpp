@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include "mesh.hpp"
 #include "vec3.hpp"
+#include "world.hpp"
 
 namespace tolman::town {
 

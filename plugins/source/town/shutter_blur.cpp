@@ -4,11 +4,172 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "image_samples.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
+
+namespace {
+
+/// Lines of an image, rows or columns, as distances between floats.
+struct Lines {
+  int length;             ///< values of a line
+  std::ptrdiff_t along;   ///< from one value of a line to the next
+  std::ptrdiff_t across;  ///< from one line to the next
+};
+
+/// Mean over the window around each value of kLines neighbouring lines. Several at once, because
+/// the sums of one wait for each other, and single columns use 4 bytes of each line of the cache.
+template <int kLines>
+[[gnu::always_inline]] inline void slidingMeans(const float* from, float* to, const Lines& lines,
+                                                int radius) {
+  std::array<double, kLines> sums{};
+  const auto add = [&](int at, double sign) {
+    for (int line = 0; line < kLines; ++line) {
+      sums[static_cast<std::size_t>(line)] +=
+          sign * static_cast<double>(from[at * lines.along + line * lines.across]);
+    }
+  };
+  for (int i = 0; i < std::min(radius, lines.length); ++i) add(i, 1);
+  for (int i = 0; i < lines.length; ++i) {
+    if (i + radius < lines.length) add(i + radius, 1);
+    if (i - radius > 0) add(i - radius - 1, -1);
+    const int inside = std::min(i + radius, lines.length - 1) - std::max(i - radius, 0) + 1;
+    for (int line = 0; line < kLines; ++line) {
+      to[i * lines.along + line * lines.across] =
+          static_cast<float>(sums[static_cast<std::size_t>(line)] / inside);
+    }
+  }
+}
+
+/// The same for all `count` lines, in groups of kLines and then one by one.
+template <int kLines>
+[[gnu::always_inline]] inline void meansOfAll(const float* from, float* to, const Lines& lines,
+                                              int count, int radius) {
+  const int groups = count / kLines;
+  oneapi::tbb::parallel_for(0, groups + count % kLines, [&](int i) {
+    const bool is_group = i < groups;
+    const int first = is_group ? i * kLines : groups * kLines + i - groups;
+    const std::ptrdiff_t at = first * lines.across;
+    if (is_group) {
+      slidingMeans<kLines>(from + at, to + at, lines, radius);
+    } else {
+      slidingMeans<1>(from + at, to + at, lines, radius);
+    }
+  });
+}
+
+}  // namespace
+
+std::vector<float> boxBlur(const std::vector<float>& values, int width, int height, int radius) {
+  std::vector<float> rows(values.size());
+  std::vector<float> result(values.size());
+  meansOfAll<4>(values.data(), rows.data(), {width, 1, width}, height, radius);
+  meansOfAll<16>(rows.data(), result.data(), {height, width, 1}, width, radius);
+  return result;
+}
+
+namespace {
+
+constexpr float kSkyDepth = 1e4F;      ///< m; stands for infinity
+constexpr float kNearestDepth = 0.1F;  ///< m in front of the camera; keeps the projection finite
+
+/// A pinhole camera in the middle, at the beginning and at the end of the shutter time.
+struct Projections {
+  explicit Projections(const Pinhole& pinhole, const ShutterMotion& motion)
+      : fx(static_cast<float>(pinhole.fx)),
+        fy(static_cast<float>(pinhole.fy)),
+        cx(static_cast<float>(pinhole.cx)),
+        cy(static_cast<float>(pinhole.cy)),
+        begin(rowsOf(motion.T_begin_middle)),
+        end(rowsOf(motion.T_end_middle)) {}
+
+  using Rows = std::array<std::array<float, 4>, 3>;
+  static Rows rowsOf(const Eigen::Isometry3d& T) {
+    Rows rows;
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 4; ++c) {
+        rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] =
+            static_cast<float>(T.matrix()(r, c));
+      }
+    }
+    return rows;
+  }
+
+  float fx, fy, cx, cy;
+  Rows begin, end;
+};
+
+/// A part of a row of the image.
+struct PartOfRow {
+  int row;
+  int first;
+  int count;
+};
+
+/// A plain loop, so that the compiler vectorises it.
+TOLMAN_WIDE_LANES
+void findPaths(const Projections& p, const PartOfRow& part, float* z, float* u, float* v) {
+  const auto [b0, b1, b2] = p.begin;
+  const auto [e0, e1, e2] = p.end;
+  const float ray_y = (static_cast<float>(part.row) - p.cy) / p.fy;
+  for (int i = 0; i < part.count; ++i) {
+    const float depth = z[i] > 0 ? z[i] : kSkyDepth;
+    const float x = depth * ((static_cast<float>(part.first + i) - p.cx) / p.fx);
+    const float y = depth * ray_y;
+    const float begin_z = b2[0] * x + b2[1] * y + b2[2] * depth + b2[3];
+    const float end_z = e2[0] * x + e2[1] * y + e2[2] * depth + e2[3];
+    const float to_begin = 1 / begin_z;
+    const float to_end = 1 / end_z;
+    const float way_u = p.fx * ((e0[0] * x + e0[1] * y + e0[2] * depth + e0[3]) * to_end -
+                                (b0[0] * x + b0[1] * y + b0[2] * depth + b0[3]) * to_begin);
+    const float way_v = p.fy * ((e1[0] * x + e1[1] * y + e1[2] * depth + e1[3]) * to_end -
+                                (b1[0] * x + b1[1] * y + b1[2] * depth + b1[3]) * to_begin);
+    const bool is_behind = begin_z < kNearestDepth || end_z < kNearestDepth;
+    const float length = std::sqrt(way_u * way_u + way_v * way_v);
+    const float kept = is_behind ? 0.0F : length > kLongestPath ? kLongestPath / length : 1.0F;
+    z[i] = depth;
+    u[i] = is_behind ? 0.0F : kept * way_u;
+    v[i] = is_behind ? 0.0F : kept * way_v;
+  }
+}
+
+/// Motion of a point of the object in the axes of the camera.
+ShutterMotion seenBy(const Eigen::Isometry3d& T_town_camera, const ShutterMotion& camera,
+                     const ShutterMotion& object) {
+  const Eigen::Isometry3d T_camera_town = T_town_camera.inverse();
+  return {camera.T_begin_middle * T_camera_town * object.T_begin_middle * T_town_camera,
+          camera.T_end_middle * T_camera_town * object.T_end_middle * T_town_camera};
+}
+
+}  // namespace
+
+PixelPaths pixelPaths(const RenderCamera& view, const RenderedImage& picture,
+                      const OpenShutter& shutter) {
+  const std::size_t pixels = picture.depth.size();
+  PixelPaths paths = {std::vector<float>(pixels), std::vector<float>(pixels), picture.depth};
+  const Projections fixed(view.pinhole, shutter.camera);
+  std::vector<Projections> moving;
+  for (const ShutterMotion& object : shutter.objects) {
+    moving.emplace_back(view.pinhole, seenBy(view.T_town_camera, shutter.camera, object));
+  }
+  oneapi::tbb::parallel_for(0, view.height, [&](int row) {
+    const auto width = static_cast<std::size_t>(view.width);
+    const std::size_t at = static_cast<std::size_t>(row) * width;
+    findPaths(fixed, {row, 0, view.width}, &paths.z[at], &paths.u[at], &paths.v[at]);
+    for (std::size_t i = 0; i < width && !moving.empty(); ++i) {
+      // Wraps around to a large number for instances before the first object.
+      const std::uint32_t object = picture.instance[at + i] - shutter.first_object;
+      if (object >= moving.size()) continue;
+      findPaths(moving[object], {row, static_cast<int>(i), 1}, &paths.z[at + i], &paths.u[at + i],
+                &paths.v[at + i]);
+    }
+  });
+  return paths;
+}
+
 namespace {
 
 constexpr float kSharp = 0.1F;   ///< px; shorter paths are not blurred; bounds the computing time

@@ -35,6 +35,22 @@ bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach);
 /// Whether the distance along the path is so large that near points are of two passes.
 bool isOtherPass(const PathPoint& a, const PathPoint& b);
 
+/// One metre of centreline.
+struct StreetPoint {
+  Eigen::Vector2d position;   ///< m, town frame
+  Eigen::Vector2d direction;  ///< unit vector, as first driven
+  double s = 0;               ///< m along the section
+};
+
+/// A stretch of street that was not driven before. A later pass over it, in either direction, is
+/// not a new section, so that each place is built once.
+struct StreetSection {
+  std::vector<StreetPoint> points;
+};
+
+/// Sections of at least 6 m in the order of driving, with points 1 m apart.
+std::vector<StreetSection> findSections(const std::vector<PathPoint>& path);
+
 /// Spatial index of points: finds candidates within kReach of a position.
 class PointGrid {
  public:

@@ -7,32 +7,10 @@
 
 #include "ground_grid.hpp"
 #include "route.hpp"
+#include "street_path.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::town {
-
-/// One metre of centreline.
-struct StreetPoint {
-  Eigen::Vector2d position;   ///< m, town frame
-  Eigen::Vector2d direction;  ///< unit vector, as first driven
-  double s = 0;               ///< m along the section
-};
-
-/// A stretch of street that was not driven before. A later pass over it, in either direction, is
-/// not a new section, so that each place is built once.
-struct StreetSection {
-  std::vector<StreetPoint> points;
-};
-
-/// A part of the road above the ground: its centreline, one point per metre.
-struct Deck {
-  struct Point {
-    Eigen::Vector2d position;   ///< m, town frame
-    Eigen::Vector2d direction;  ///< unit vector
-    double height = 0;          ///< m, Z of the road
-  };
-  std::vector<Point> points;
-};
 
 /// Traffic keeps to the right: the centreline is kLaneOffset left of the driven path.
 class StreetPlan {
@@ -47,31 +25,23 @@ class StreetPlan {
   /// a transition to each pass over some 15 m. Streets extend 50 m beyond either end of the route,
   /// unless the route passes there itself.
   ///
-  /// Raised frames give decks instead of streets.
-  ///
-  /// Refuses a route for which there are no streets: passes that cross at different heights (a
-  /// bridge), a camera below the ground, an extent beyond 12 km. Messages name the frames.
-  /// `levelled` of level_route.hpp corrects most such routes.
+  /// Refuses a route for which there are no streets: passes that cross at different heights, a
+  /// camera below the ground, an extent beyond 12 km. Messages name the frames.
+  /// `levelled` of route.hpp corrects most such routes.
   static Result<StreetPlan> grow(const CameraRoute& route, double camera_height);
 
   const std::vector<StreetSection>& sections() const { return sections_; }
-  const std::vector<Deck>& decks() const { return decks_; }
-  /// Distance from (x, y) to the nearest point of a deck's centreline, m; infinite without decks.
-  double deckDistance(double x, double y) const;
   /// Distance from (x, y) to the nearest centreline, m, at most kFarthest. Continuous.
   double distance(double x, double y) const { return distance_.at(x, y); }
   /// Z of the road or terrain, m, without kerb and pavement. Smooth. At every pose it is
   /// camera_height below the camera, up to the disagreement of passes. Beyond kFarthest it is that
   /// of gentle hills.
   double height(double x, double y) const;
-  /// Z of the road below a camera at `camera_z`, m: that of the highest deck below it, or height().
-  double roadHeight(double x, double y, double camera_z) const;
   const Eigen::Vector2d& lowCorner() const { return low_; }
   const Eigen::Vector2d& highCorner() const { return high_; }
 
  private:
   std::vector<StreetSection> sections_;
-  std::vector<Deck> decks_;
   GroundGrid distance_;
   GroundGrid height_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();

@@ -4,27 +4,22 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
-#include "bridges.hpp"
-#include "car_park.hpp"
-#include "flown_route.hpp"
-#include "hall.hpp"
-#include "level_route.hpp"
+#include "buildings.hpp"
 #include "noise.hpp"
-#include "true_camera.hpp"
-#include "world.hpp"
+#include "tolman/geometry.hpp"
 
 namespace tolman::town {
 namespace {
 
+constexpr int kEdgeSamples = 2;
+
 bool isFile(const std::string& route) { return route.find_first_of("/.") != std::string::npos; }
 
 Result<CameraRoute> findRoute(const TownParameters& p) {
-  const RouteOptions options = {p.rate, p.speed, p.camera_height};
+  const RouteOptions options = {p.rate, p.speed, p.cameraHeight()};
   if (isFile(p.route)) return readRoute(p.route, options);
   Result<CameraRoute> route = builtInRoute(p.route, options);
   if (!route.isOk() || !p.flight) return route;
@@ -39,14 +34,34 @@ CameraRoute streetsFor(const CameraRoute& way, const TownParameters& p) {
   return p.flight ? groundTrack(way) : way;
 }
 
-using Poses = std::vector<Eigen::Isometry3d>;
-
 /// Between poses `index` (part 0) and the next (part 1), or as far before the former.
-Eigen::Isometry3d poseAt(const Poses& poses, std::size_t index, double part) {
+Eigen::Isometry3d poseAt(const std::vector<Eigen::Isometry3d>& poses, std::size_t index,
+                         double part) {
   if (part == 0) return poses[index];
   const std::size_t from = std::min(index, poses.size() - 2);
   const Vector6d step = logSe3(poses[from].inverse() * poses[from + 1]);
   return poses[index] * expSe3(part * step);
+}
+
+Status checkLists(const TownParameters& p) {
+  const auto refuse = [](const std::string& what) { return Status::invalidParameter(what); };
+  if (p.camera.size() != 7) {
+    return refuse("camera has " + std::to_string(p.camera.size()) +
+                  " values; give 7: [width, height, fx, fy, cx, cy, baseline]");
+  }
+  if (p.mount.empty() || p.mount.size() > 3 || p.mount[0] < 0.5 || p.mount[0] > 4) {
+    return refuse("mount: give [height, pitch, roll], the height from 0.5 to 4 m");
+  }
+  if (p.rig_error.size() > 6) {
+    return refuse("rig_error: give at most [focal length, baseline, yaw, pitch, roll, readout]");
+  }
+  if (p.readoutMs() < 0 || std::min(p.focalError(), p.baselineError()) < -0.5) {
+    return refuse("rig_error: a readout time is positive, and relative errors are above -0.5");
+  }
+  if (p.exposure_ms.empty() || p.exposure_ms.size() > 2) {
+    return refuse("exposure_ms: give [time] or [time in the sun, longest]");
+  }
+  return Status::ok();
 }
 
 }  // namespace
@@ -57,126 +72,130 @@ Status TownSource::configure(const Context& context) {
   parameters_ = bound.value();
   run_seed_ = hash(static_cast<std::uint32_t>(context.seed),
                    static_cast<std::uint32_t>(context.seed >> 32U));
-  ready_ = setRig();
-  if (ready_.isOk()) ready_ = build();
-  for (const std::string& warning : schedule_.warnings()) context.log.warning(warning);
-  return ready_;
+  return ready_ = build(context);
+}
+
+Status TownSource::build(const Context& context) {
+  if (Status status = checkLists(parameters_); !status.isOk()) return status;
+  if (Status status = setRig(); !status.isOk()) return status;
+  if (Status status = setRoute(); !status.isOk()) return status;
+  if (Status status = setConditions(context); !status.isOk()) return status;
+  buildScene();
+  return Status::ok();
 }
 
 Status TownSource::setRig() {
   const Parameters& p = parameters_;
   const double s = p.scale;
-  rig_.width = static_cast<int>(std::lround(static_cast<double>(p.width) * s));
-  rig_.height = static_cast<int>(std::lround(static_cast<double>(p.height) * s));
-  if (rig_.width < 32 || rig_.height < 32) {
-    return Status::invalidParameter("scale leaves an image below 32 px; choose a larger one");
-  }
+  rig_.width = static_cast<int>(std::lround(p.camera[0] * s));
+  rig_.height = static_cast<int>(std::lround(p.camera[1] * s));
   constexpr std::int64_t kMostPixels = std::int64_t{8192} * 8192;  // a run uses 1.5 GiB and more
-  if (std::int64_t{rig_.width} * rig_.height > kMostPixels) {
+  if (rig_.width < 32 || rig_.height < 32 || std::int64_t{rig_.width} * rig_.height > kMostPixels) {
     return Status::invalidParameter(
-        "scale makes images of " + std::to_string(rig_.width) + " x " +
-        std::to_string(rig_.height) +
-        " px, and 8192 x 8192 px are rendered at most; choose a smaller width, height or scale");
+        "camera and scale make images of " + std::to_string(rig_.width) + " x " +
+        std::to_string(rig_.height) + " px; choose 32 x 32 px or more, and 8192 x 8192 px at most");
   }
   rig_.calibrated = true;
   // Pixel centres are at integers, so the image spans from -0.5.
-  rig_.pinhole = {p.fx * s, p.fy * s, (p.cx + 0.5) * s - 0.5, (p.cy + 0.5) * s - 0.5};
-  rig_.baseline = p.mono ? 0 : p.baseline;
-  Result<std::array<TrueCamera, 2>> truth = trueCameras(p, rig_);
-  if (!truth.isOk()) return truth.status();
+  rig_.pinhole = {p.camera[2] * s, p.camera[3] * s, (p.camera[4] + 0.5) * s - 0.5,
+                  (p.camera[5] + 0.5) * s - 0.5};
+  rig_.baseline = p.mono ? 0 : p.camera[6];
+  std::array<TrueCamera, 2> truth = trueCameras(p, rig_);
   cameras_.clear();
   for (std::size_t i = 0; i < 2; ++i) {
-    cameras_.emplace_back(p, rig_, std::move(truth.value()[i]), i, run_seed_);
+    cameras_.emplace_back(p, rig_, std::move(truth[i]), i, run_seed_);
   }
   return Status::ok();
 }
 
-Status TownSource::build() {
+Status TownSource::setRoute() {
   const Parameters& p = parameters_;
   Result<CameraRoute> route = findRoute(p);
   if (!route.isOk()) return route.status();
   route_ = streetsFor(route.value(), p);
-  is_levelled_ = false;
   Result<FrameSequence> sequence = FrameSequence::make(p, route_.stamps_ns);
   if (!sequence.isOk()) return sequence.status();
   sequence_ = sequence.value();
-  chooseFrames();
-  if (p.crossings == Crossings::Bridge) route_ = bridged(route_, p.camera_height);
-  Result<StreetPlan> plan = StreetPlan::grow(route_, p.camera_height);
-  if (!plan.isOk() && p.crossings != Crossings::Refuse) {
-    CameraRoute level = levelled(route_, p.camera_height);
-    Result<StreetPlan> again = StreetPlan::grow(level, p.camera_height);
-    if (again.isOk()) {
-      route_ = std::move(level);
-      plan = std::move(again);
-      is_levelled_ = true;
-    }
+  arriving_.clear();
+  for (std::int64_t k = 0; k < sequence_.size(); ++k) {
+    const bool lost = k > 0 && unit(hash(run_seed_, static_cast<std::uint32_t>(k), 401)) <
+                                   static_cast<float>(p.faults);
+    if (!lost) arriving_.push_back(k);
   }
-  if (!plan.isOk()) return plan.status();
+  Result<StreetPlan> plan = StreetPlan::grow(route_, p.cameraHeight());
+  is_levelled_ = false;
+  if (!plan.isOk()) {
+    CameraRoute level = levelled(route_, p.cameraHeight());
+    Result<StreetPlan> again = StreetPlan::grow(level, p.cameraHeight());
+    if (!again.isOk()) return plan.status();
+    route_ = std::move(level);
+    plan = std::move(again);
+    is_levelled_ = true;
+  }
   plan_ = std::make_unique<StreetPlan>(std::move(plan.value()));
-  Result<ConditionSchedule> schedule = ConditionSchedule::make(p, route_);
-  if (!schedule.isOk()) return schedule.status();
-  schedule_ = std::move(schedule.value());
-  buildScene();
   const bool has_own_way = p.flight || route_.building == Building::Hall;
-  return placeCameras(has_own_way ? route.value() : route_);
+  return setMotion(has_own_way ? route.value() : route_);
 }
 
-Status TownSource::placeCameras(const CameraRoute& flown) {
+Status TownSource::setMotion(const CameraRoute& carried) {
   const Parameters& p = parameters_;
   const auto turn = [](double degrees, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis);
   };
-  const Eigen::Isometry3d T_route_camera(turn(p.camera_pitch, Eigen::Vector3d::UnitX()) *
-                                         turn(p.camera_roll, Eigen::Vector3d::UnitZ()));
-  const double ground = route_.T_town_camera.front().translation().z() - p.camera_height;
+  const Eigen::Isometry3d T_route_camera(turn(itemOf(p.mount, 1), Eigen::Vector3d::UnitX()) *
+                                         turn(itemOf(p.mount, 2), Eigen::Vector3d::UnitZ()));
+  const double ground = route_.T_town_camera.front().translation().z() - p.cameraHeight();
   T_town_camera_.clear();
-  for (std::size_t i = 0; i < flown.T_town_camera.size(); ++i) {
-    T_town_camera_.push_back(flown.T_town_camera[i] * T_route_camera);
-    const double height = T_town_camera_[i].translation().z() - ground;
+  for (const Eigen::Isometry3d& T_town_route : carried.T_town_camera) {
+    T_town_camera_.push_back(T_town_route * T_route_camera);
+    const double height = T_town_camera_.back().translation().z() - ground;
     if (p.flight && height < 0.3) {
-      return Status::invalidInput(p.route + ": pose " + std::to_string(i) + " is " +
-                                  std::to_string(height) +
-                                  " m above the ground; give a larger camera_height");
+      return Status::invalidInput(p.route + ": pose " + std::to_string(T_town_camera_.size() - 1) +
+                                  " is " + std::to_string(height) +
+                                  " m above the ground; give mount a larger height");
     }
   }
+  return Status::ok();
+}
+
+Status TownSource::setConditions(const Context& context) {
+  const auto seed = static_cast<std::uint32_t>(parameters_.seed);
+  Result<Conditions> conditions = Conditions::make(parameters_.conditions, route_, seed);
+  if (!conditions.isOk()) return conditions.status();
+  conditions_ = std::move(conditions.value());
+  for (const std::string& warning : conditions_.warnings()) context.log.warning(warning);
+  Lens lens;
+  lens.has_drops = conditions_.any([](const Condition& c) { return c.weather == Weather::Rain; });
+  lens.blooms = conditions_.any([](const Condition& c) { return c.is_night; });
+  for (TownCamera& camera : cameras_) camera.setLens(lens);
   return Status::ok();
 }
 
 void TownSource::buildScene() {
   const Parameters& p = parameters_;
   const auto seed = static_cast<std::uint32_t>(p.seed);
-  WorldOptions options = {seed, p.aliasing, p.density, p.guard_rails, {}};
-  const Building building = route_.building;
-  if (building == Building::CarPark) options.reserved.push_back(carParkPlot());
-  if (building == Building::Hall) options.reserved.push_back(hallPlot());
+  WorldOptions options;
+  options.seed = seed;
+  options.aliasing = p.aliasing;
+  if (route_.building == Building::CarPark) options.reserved.push_back(carParkPlot());
+  if (route_.building == Building::Hall) options.reserved.push_back(hallPlot());
+  if (route_.is_highway) options.density = 0.12;  // open land
+  options.guard_rails = route_.is_highway;
   World world = buildWorld(*plan_, options);
-  if (building == Building::CarPark) {
-    addCarPark(world, -p.camera_height, hash(seed, 311));
-  } else if (building == Building::Hall) {
-    addHall(world, -p.camera_height, hash(seed, 312));
-  } else {
-    addBridges(world, *plan_);
-  }
-  trees_ = schedule_.anyBare() ? addBareTrees(world) : Exchange{};
-  cars_ = schedule_.anyExchanged() ? addOtherCars(world, hash(seed, 304)) : Exchange{};
-  moving_ = std::make_unique<MovingThings>(p, route_, *plan_, world);
+  if (route_.building == Building::CarPark) addCarPark(world, -p.cameraHeight(), hash(seed, 311));
+  if (route_.building == Building::Hall) addHall(world, -p.cameraHeight(), hash(seed, 312));
+  const bool any_bare = conditions_.any([](const Condition& c) { return c.bare; });
+  const bool any_exchanged = conditions_.any([](const Condition& c) { return c.exchanged; });
+  trees_ = any_bare ? addBareTrees(world) : Exchange{};
+  cars_ = any_exchanged ? addOtherCars(world, hash(seed, 304)) : Exchange{};
+  traffic_ = Traffic(route_, *plan_, p.traffic, seed, world);
   scene_ = std::make_unique<Scene>(std::move(world));
   shown_ = {};
   for (const Exchange* exchange : {&trees_, &cars_}) {
     for (const std::size_t hidden : exchange->other) scene_->show(hidden, false);
   }
-  if (!trees_.other.empty() || !cars_.other.empty()) scene_->commit();
-  renderers_.assign(2, Renderer(*scene_, *plan_, Light{}, static_cast<int>(p.edge_samples)));
-}
-
-void TownSource::chooseFrames() {
-  arriving_.clear();
-  for (std::int64_t k = 0; k < sequence_.size(); ++k) {
-    const bool lost = k > 0 && unit(hash(run_seed_, static_cast<std::uint32_t>(k), 401)) <
-                                   static_cast<float>(parameters_.dropped);
-    if (!lost) arriving_.push_back(k);
-  }
+  if (any_bare || any_exchanged) scene_->commit();
+  renderers_.assign(2, Renderer(*scene_, *plan_, Light{}, kEdgeSamples));
 }
 
 Status TownSource::reset() {
@@ -206,12 +225,12 @@ double TownSource::intervalAt(std::size_t index) const {
   return static_cast<double>(stamps[from + 1] - stamps[from]) * 1e-9;
 }
 
-MovingThings::Instant TownSource::instantAt(std::size_t index, double part) const {
+Traffic::Instant TownSource::instantAt(std::size_t index, double part) const {
   return {secondsAt(index) + part * intervalAt(index), poseAt(route_.T_town_camera, index, part)};
 }
 
-void TownSource::arrangeScene(std::size_t index) {
-  const Condition& now = schedule_.at(index);
+void TownSource::arrange(std::size_t index) {
+  const Condition& now = conditions_.at(index);
   const auto exchange = [&](const Exchange& both, bool other) {
     for (const std::size_t i : both.usual) scene_->show(i, !other);
     for (const std::size_t i : both.other) scene_->show(i, other);
@@ -220,26 +239,14 @@ void TownSource::arrangeScene(std::size_t index) {
   if (now.bare != shown_.bare) exchange(trees_, now.bare);
   if (now.exchanged != shown_.exchanged) exchange(cars_, now.exchanged);
   shown_ = now;
-  const bool moves = moving_->arrange(*scene_, instantAt(index, 0));
+  const bool moves = traffic_.arrange(*scene_, instantAt(index, 0));
   if (is_changed || moves) scene_->commit();
-}
-
-void TownSource::setLight(std::size_t index) {
-  light_ = schedule_.lightAt(index);
+  light_ = conditions_.lightAt(index);
   if (light_.sun > 0) scene_->setSun(light_.to_sun);
-  const Eigen::Isometry3d& T_town_left = route_.T_town_camera[index];
   // The lamps of the camera's car: below and ahead of it, one in the middle for both.
-  const Eigen::Vector3d from = T_town_left * Eigen::Vector3d(0, 0.95, 1.6);
-  const Eigen::Vector3d ahead = T_town_left.linear().col(2);
-  const auto toVec3 = [](const Eigen::Vector3d& v) {
-    return Vec3{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-  };
-  light_.headlights = {toVec3(from), toVec3(ahead)};
-  moving_->addHeadlights(light_, T_town_left);
-  light_.glass = static_cast<float>(parameters_.glass);
-  light_.puddles = static_cast<float>(parameters_.puddles);
-  light_.wind = static_cast<float>(parameters_.wind);
-  light_.seconds = static_cast<float>(secondsAt(index));
+  const Eigen::Isometry3d& T_town_left = route_.T_town_camera[index];
+  light_.headlights = {toVec3(T_town_left * Eigen::Vector3d(0, 0.95, 1.6)),
+                       toVec3(T_town_left.linear().col(2))};
 }
 
 double TownSource::gainAt(std::size_t index) const {
@@ -252,12 +259,11 @@ double TownSource::gainAt(std::size_t index) const {
   return 110 / asphalt * std::exp(parameters_.exposure_change * wander);
 }
 
-Image TownSource::takePicture(std::size_t index, bool right) {
-  const std::size_t camera = right ? 1 : 0;
+Image TownSource::takePicture(std::size_t index, std::size_t camera) {
   Moment moment;
   moment.T_town_left = [this, index](double part) { return poseAt(T_town_camera_, index, part); };
   moment.follow = [this, index](double begin, double end, OpenShutter& shutter) {
-    moving_->follow(instantAt(index, begin), instantAt(index, end), shutter);
+    traffic_.follow(instantAt(index, begin), instantAt(index, 0), instantAt(index, end), shutter);
   };
   moment.interval_s = intervalAt(index);
   moment.seconds = secondsAt(index);
@@ -277,14 +283,13 @@ Status TownSource::next(Frame& frame) {
   frame.has_truth = true;
   frame.T_world_camera_truth = T_town_camera_.front().inverse() * T_town_camera_[index];
   if (unit(hash(run_seed_, static_cast<std::uint32_t>(k), 403)) <
-      static_cast<float>(parameters_.corrupt)) {
-    frame.defect = "town: corrupt image, as the parameter corrupt demands";
+      static_cast<float>(parameters_.faults)) {
+    frame.defect = "town: no image, as the parameter faults demands";
   } else {
-    arrangeScene(index);
-    setLight(index);
-    const auto left = [&] { frame.left = takePicture(index, false); };
+    arrange(index);
+    const auto left = [&] { frame.left = takePicture(index, 0); };
     const auto right = [&] {
-      if (rig_.isStereo()) frame.right = takePicture(index, true);
+      if (rig_.isStereo()) frame.right = takePicture(index, 1);
     };
     oneapi::tbb::parallel_invoke(left, right);
     if (parameters_.depth) {
@@ -327,17 +332,11 @@ Status TownSource::inspect(std::vector<Finding>& findings) {
   const auto metres = [](double m) { return std::to_string(std::lround(m)) + " m"; };
   note(Finding::Severity::Note, std::to_string(T_town_camera_.size()) + " poses over " +
                                     metres(length) + ", " + metres(streets) + " of streets in " +
-                                    std::to_string(plan_->sections().size()) + " sections");
+                                    std::to_string(plan_->sections().size()) + " sections, " +
+                                    std::to_string(scene_->triangles()) + " triangles");
   if (is_levelled_) {
-    note(Finding::Severity::Note,
-         "passes crossed at different heights; the poses were levelled (crossings: level)");
+    note(Finding::Severity::Note, "passes crossed at different heights; the poses were levelled");
   }
-  if (route_.building == Building::None && !plan_->decks().empty()) {
-    note(Finding::Severity::Note, std::to_string(plan_->decks().size()) + " bridges");
-  }
-  note(Finding::Severity::Note, std::to_string(scene_->triangles()) + " triangles and " +
-                                    std::to_string(scene_->instances()) +
-                                    " trees, bushes and cars");
   return Status::ok();
 }
 

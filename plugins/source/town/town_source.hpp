@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Source `town`: renders calibrated images, true poses and depth along a route through a procedural
-// town. Axes: see mesh.hpp. The same parameters and seeds give the same bytes.
+// town. Axes: see world.hpp. The same parameters and seeds give the same bytes.
+//
+// Of each frame: the route and how the camera is carried along it give its pose (`setMotion`), the
+// rig its cameras (`setRig`), conditions and traffic the scene (`arrange`); each camera renders and
+// forms its image (camera.hpp).
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "condition_schedule.hpp"
-#include "moving_things.hpp"
+#include "camera.hpp"
+#include "conditions.hpp"
+#include "objects.hpp"
+#include "parameters.hpp"
 #include "renderer.hpp"
 #include "route.hpp"
 #include "scene.hpp"
-#include "seasons.hpp"
 #include "street_plan.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
-#include "town_camera.hpp"
-#include "town_parameters.hpp"
+#include "traffic.hpp"
 
 namespace tolman::town {
 
@@ -33,23 +37,23 @@ class TownSource final : public Source, public ArrayDescriptions {
   Status describe(std::vector<ArrayInfo>& arrays) const override;
 
  private:
-  Status build();
-  /// Places the cameras along `flown`, or along the route of the streets.
-  Status placeCameras(const CameraRoute& flown);
   Status setRig();
-  void chooseFrames();
-  /// Builds the scene from streets, seasons and traffic.
+  /// The streets below the route, and the poses of the camera.
+  Status setRoute();
+  Status setMotion(const CameraRoute& carried);
+  Status setConditions(const Context& context);
   void buildScene();
+  Status build(const Context& context);
+
   /// Time since the start of the drive, s.
   double secondsAt(std::size_t index) const;
   /// Time to the next pose of the route, s.
   double intervalAt(std::size_t index) const;
   /// `part` of the interval after pose `index` of the route; before it if negative.
-  MovingThings::Instant instantAt(std::size_t index, double part) const;
-  /// Sets the traffic and the objects of season and day.
-  void arrangeScene(std::size_t index);
-  void setLight(std::size_t index);
-  Image takePicture(std::size_t index, bool right);
+  Traffic::Instant instantAt(std::size_t index, double part) const;
+  /// Sets traffic, season and light.
+  void arrange(std::size_t index);
+  Image takePicture(std::size_t index, std::size_t camera);
   /// Grey levels for a radiance of 1.
   double gainAt(std::size_t index) const;
 
@@ -61,17 +65,17 @@ class TownSource final : public Source, public ArrayDescriptions {
   std::vector<Eigen::Isometry3d> T_town_camera_;
   bool is_levelled_ = false;
   std::unique_ptr<StreetPlan> plan_;
-  ConditionSchedule schedule_;
+  Conditions conditions_;
   Light light_;  ///< at the current frame
   Exchange trees_;
   Exchange cars_;
   Condition shown_;
-  std::unique_ptr<MovingThings> moving_;
+  Traffic traffic_;
   std::unique_ptr<Scene> scene_;
   std::vector<TownCamera> cameras_;  ///< left, right
   std::vector<Renderer> renderers_;  ///< one for each camera, so that both render in parallel
   FrameSequence sequence_;
-  std::vector<std::int64_t> arriving_;  ///< frames of the sequence that are not dropped
+  std::vector<std::int64_t> arriving_;  ///< frames of the sequence that are not missing
   std::size_t next_ = 0;
 };
 

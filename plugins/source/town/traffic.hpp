@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Oncoming cars: positions as a function of time.
+// Oncoming cars. Their places are functions of the time of the drive.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
-#include "lane.hpp"
 #include "route.hpp"
+#include "scene.hpp"
+#include "shutter_blur.hpp"
 #include "street_plan.hpp"
-#include "vec3.hpp"
+#include "world.hpp"
 
 namespace tolman::town {
 
@@ -17,36 +18,44 @@ namespace tolman::town {
 /// speed.
 class Traffic {
  public:
-  Traffic(const CameraRoute& route, const StreetPlan& plan, double cars_per_km, std::uint32_t seed);
+  /// Time since the start of the drive, s, and where the camera is then.
+  struct Instant {
+    double seconds = 0;
+    Eigen::Isometry3d T_town_camera = Eigen::Isometry3d::Identity();
+  };
+
+  Traffic() = default;
+  /// Adds the instances of the cars to `world`, which must contain all other objects. None inside
+  /// of buildings.
+  Traffic(const CameraRoute& route, const StreetPlan& plan, double cars_per_km, std::uint32_t seed,
+          World& world);
 
   std::size_t size() const { return cars_.size(); }
-  /// Place of car `index`, `seconds` after the first pose.
-  Placement at(std::size_t index, double seconds) const;
+  Placement at(std::size_t car, const Instant& now) const;
+  /// Moves the cars; true if there are some, so that the scene must be committed.
+  bool arrange(Scene& scene, const Instant& now) const;
+  /// Sets the motion of the cars while a shutter is open.
+  void follow(const Instant& begin, const Instant& middle, const Instant& end,
+              OpenShutter& shutter) const;
 
  private:
   struct Car {
-    double start;  ///< m along the route at time 0
+    double start;  ///< m along the lane at time 0
     double speed;  ///< m/s against the route's direction
   };
+  struct LanePoint {
+    Eigen::Vector2d position;
+    double s;  ///< m along the lane
+  };
 
-  const StreetPlan* plan_;
-  Lane lane_;
+  const StreetPlan* plan_ = nullptr;
+  std::vector<LanePoint> lane_;  ///< about 1 m apart
   std::vector<Car> cars_;
-};
-
-/// Upright on the road at a place of a lane, looking along the route or against it.
-Placement onRoad(const StreetPlan& plan, const Lane::Position& place, bool comes);
-
-/// Distances that a vehicle keeps from the camera.
-struct Clearing {
-  double near = 6;    ///< m ahead or behind: a car's length and a half
-  double far = 20;    ///< m ahead or behind, where it begins to move aside
-  double beside = 3;  ///< m between the centrelines
+  std::size_t first_ = 0;  ///< instance of the first car
 };
 
 /// The vehicle, moved to the side if it is too near to the camera. On a street that the route takes
 /// in both directions the oncoming lane of one pass is the camera's own lane in the other.
-Placement besideCamera(Placement vehicle, const Eigen::Isometry3d& T_town_camera,
-                       const Clearing& clearing = {});
+Placement besideCamera(Placement vehicle, const Eigen::Isometry3d& T_town_camera);
 
 }  // namespace tolman::town

@@ -29,17 +29,15 @@ inline float floorOf(float x) {
   return truncated > x ? truncated - 1 : truncated;
 }
 
-/// Placement of an instance: rotation about Z, uniform scale, lean, then translation.
+/// Placement of an instance: rotation about Z, uniform scale, then translation.
 struct Placement {
   Vec3 position;
   float cosine = 1;
   float sine = 0;
   float scale = 1;
-  float lean_x = 0;  ///< m along the town's X per m of height
-  float lean_y = 0;
 
   static Placement at(const Vec3& position, float yaw, float scale = 1) {
-    return {position, std::cos(yaw), std::sin(yaw), scale, 0, 0};
+    return {position, std::cos(yaw), std::sin(yaw), scale};
   }
   Vec3 rotate(const Vec3& v) const {
     return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
@@ -47,12 +45,7 @@ struct Placement {
   Vec3 unrotate(const Vec3& v) const {
     return {cosine * v.x + sine * v.y, -sine * v.x + cosine * v.y, v.z};
   }
-  Vec3 toLocal(const Vec3& town) const {
-    const Vec3 leaning = town - position;
-    const Vec3 upright = {leaning.x - lean_x * leaning.z, leaning.y - lean_y * leaning.z,
-                          leaning.z};
-    return unrotate(upright) * (1 / scale);
-  }
+  Vec3 toLocal(const Vec3& town) const { return unrotate(town - position) * (1 / scale); }
 };
 
 }  // namespace tolman::town

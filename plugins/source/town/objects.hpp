@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The makers of everything that stands in the town.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "plots.hpp"
+#include "street_plan.hpp"
+#include "tolman/context.hpp"
+#include "world.hpp"
+
+namespace tolman::town {
+
+enum class RoofShape : std::uint8_t { AlongStreet, ToStreet, Flat };
+
+struct House {
+  Plot plot;          ///< its ground plan; `axis` is parallel to the street
+  double ground = 0;  ///< m, Z of the land at its centre
+  int storeys = 2;
+  RoofShape roof = RoofShape::AlongStreet;
+  std::uint32_t seed = 0;
+};
+
+void addHouse(World& world, const House& house);
+
+/// Place and orientation of an object beside the street.
+struct Stand {
+  Vec3 foot;
+  Vec3 along;   ///< unit vector of the street
+  Vec3 inward;  ///< unit vector towards the middle of the street
+  std::uint32_t seed = 0;
+};
+
+void addLamp(World& world, const Stand& stand);
+void addSign(World& world, const Stand& stand);
+void addPoster(World& world, const Stand& stand);
+
+/// A fence or a hedge over the plot's length; `hedge` is as deep as the plot.
+void addFence(World& world, const Plot& plot, double ground, std::uint32_t seed);
+void addHedge(World& world, const Plot& plot, double ground, std::uint32_t seed);
+
+/// The broken line in the middle of each section, without junctions.
+void addLaneMarkings(World& world, const StreetPlan& plan, std::uint32_t seed);
+
+/// Identical rails on posts on both sides of the streets, without junctions.
+void addGuardRails(World& world, const StreetPlan& plan);
+
+/// A ring of wooded hills that closes the view.
+void addHorizon(World& world, const StreetPlan& plan, std::uint32_t seed);
+
+/// Indices into the table of surfaces.
+struct GroundSurfaces {
+  std::uint32_t road = 0;
+  std::uint32_t kerb = 0;
+  std::uint32_t land = 0;  ///< pavement, verge, grass: the material depends on the distance
+};
+
+/// A grid of 1 m cells within kFarthest of the streets, cut along the kerb (marching squares on
+/// distance() = kRoadHalfWidth): the road at height(), the land kKerbHeight higher, and a vertical
+/// kerb between them. Around it is a coarse grid up to `horizon` m, a little lower, so that there
+/// is no gap.
+Mesh buildGround(const StreetPlan& plan, const GroundSurfaces& surfaces, double horizon = 400);
+
+/// Indices into World::prototypes.
+struct Prototypes {
+  std::vector<std::uint32_t> street_trees;  ///< slim, with a clear trunk
+  std::vector<std::uint32_t> garden_trees;  ///< broad ones and conifers
+  std::vector<std::uint32_t> bushes;
+  std::vector<std::uint32_t> cars;  ///< facing +X, centred, wheels on Z = 0
+};
+
+Prototypes addPrototypes(World& world, std::uint32_t seed);
+
+// The makers, one kind each; each returns the index of its prototype.
+std::uint32_t addBroadleaf(World& world, float height, float clear_trunk, std::uint32_t seed);
+std::uint32_t addConifer(World& world, float height, std::uint32_t seed);
+std::uint32_t addBush(World& world, float size, std::uint32_t seed);
+
+/// Side view of a car: what differs between the kinds.
+struct CarShape {
+  float length = 4.2F;
+  float height = 1.45F;
+  float bonnet = 1.05F;  ///< m from the front to the windscreen's foot
+  float screen = 0.75F;  ///< m that the windscreen leans back
+  float tail = 0.3F;     ///< m that the rear window leans
+  float boot = 0.0F;     ///< m of boot behind the rear window
+};
+std::uint32_t addCar(World& world, const CarShape& shape);
+
+/// Indices of instances.
+struct Exchange {
+  std::vector<std::size_t> usual;
+  std::vector<std::size_t> other;
+};
+
+/// Trees and bushes without leaves, except evergreens.
+Exchange addBareTrees(World& world);
+
+/// Other cars at two of three places where one is parked.
+Exchange addOtherCars(World& world, std::uint32_t seed);
+
+}  // namespace tolman::town
