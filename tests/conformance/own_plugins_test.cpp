@@ -36,7 +36,7 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   if (id == "motion_log") return {"--set", path(sequence)};
   if (id == "record") return {"--set", path(sequence.parent_path() / "recorded")};
   if (id == "town") {
-    return {"--set", "scale=0.2", "--set", "width=600", "--set", "height=200", "--set", "last=20"};
+    return {"--set", "scale=0.2", "--set", "last=20"};
   }
   // The kit drives 25 m, a circle of 19 m and on: few views, and no metres to be sure of a place.
   if (id == "view_sequences") {

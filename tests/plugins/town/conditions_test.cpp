@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The grammar of conditions, refused texts, and the frames of an entry.
+// The grammar of conditions, the frames at which they hold, and their light.
 #include "conditions.hpp"
 
 #include <algorithm>
@@ -11,95 +11,93 @@ using namespace tolman::town;
 
 namespace {
 
-std::string refusal(const std::string& text) {
-  const auto entries = parseConditions(text);
-  REQUIRE_FALSE(entries.isOk());
-  return std::string(entries.status().message());
+Result<Conditions> onBlock(const std::string& text) {
+  return Conditions::make(text, builtInRoute("block", {}).value(), 1);
 }
 
-std::vector<Condition> conditionsOn(const CameraRoute& route, const std::string& text) {
-  std::vector<std::string> warnings;
-  return conditionsOf(route, parseConditions(text).value(), warnings);
-}
+Condition firstOf(const std::string& text) { return onBlock(text).value().at(0); }
 
-std::vector<std::string> warningsOn(const CameraRoute& route, const std::string& text) {
-  std::vector<std::string> warnings;
-  conditionsOf(route, parseConditions(text).value(), warnings);
-  return warnings;
+std::string conditionsRefusal(const std::string& text) {
+  const auto conditions = onBlock(text);
+  REQUIRE_FALSE(conditions.isOk());
+  return std::string(conditions.status().message());
 }
 
 }  // namespace
 
-TEST_CASE("entries have a range and words") {
-  CHECK(parseConditions("").value().empty());
-  CHECK(parseConditions(" ; ").value().empty());
-  const auto entries = parseConditions("pass 2-3 = night  rain; 300-450.5 m=dusk ;all = snow");
-  REQUIRE(entries.isOk());
-  REQUIRE(entries.value().size() == 3);
-  const ConditionEntry& pass = entries.value()[0];
-  CHECK(pass.is_pass);
-  CHECK(pass.first == 2);
-  CHECK(pass.last == 3);
-  CHECK(pass.words == std::vector<std::string>{"night", "rain"});
-  const ConditionEntry& metres = entries.value()[1];
-  CHECK_FALSE(metres.is_pass);
-  CHECK(metres.first == 300);
-  CHECK(metres.last == 450.5);
-  CHECK(std::isinf(entries.value()[2].last));
+TEST_CASE("words change what they name, everywhere or by pass, and later ones win") {
+  CHECK(firstOf("") == Condition{});
+  CHECK(firstOf(" ; ") == Condition{});
+  CHECK(firstOf("overcast").weather == Weather::Overcast);
+  CHECK(firstOf("07:30").hour == 7.5);
+  CHECK(firstOf("dusk; pass 2 = night").hour == Approx(19.3));
+  CHECK(firstOf("night; pass 1-3 = 12:00 bare").hour == 12);
+  CHECK_FALSE(firstOf("night; pass 1-3 = 12:00 bare").is_night);
+  CHECK(firstOf("pass 1=bare snow exchanged").exchanged);
+  const Conditions later = onBlock("pass 2 = night").value();
+  CHECK_FALSE(later.at(0).is_night);
+  CHECK(later.at(545).is_night);
+  CHECK(later.any([](const Condition& c) { return c.is_night; }));
 }
 
 TEST_CASE("what is not in the grammar is refused by name") {
-  const std::string range = "does not begin with a range";
-  for (const char* text :
-       {"night", "pass = night", "pass 0 = night", "pass 3-2 = night", "pass 1.5 = night",
-        "pass x = night", "5 m = night", "9-5 m = night", "1-2 km = night", "= night",
-        "pass 1 2 = night", "-5-9 m = night", "nan-9 m = night", "1e99-2e99 m = night"}) {
+  for (const char* text : {"pass = night", "pass 0 = night", "pass 3-2 = night", "pass x = night",
+                           "5 m = night", "pass 1 2 = night", "= night"}) {
     INFO(text);
-    CHECK(refusal(text).find(range) != std::string::npos);
-    CHECK(refusal(text).find(text) != std::string::npos);
+    CHECK(conditionsRefusal(text).find("write 'pass 2 ='") != std::string::npos);
+    CHECK(conditionsRefusal(text).find(text) != std::string::npos);
   }
-  CHECK(refusal("pass 1 =").find("says nothing") != std::string::npos);
-  CHECK(refusal("all = rain; all = wet") ==
-        "conditions: 'all = wet': 'wet' is no condition; use day, dusk, night, clear, overcast, "
-        "fog, rain, snow, bare, leaf, exchanged");
-  CHECK(refusal("all = day snow night") ==
-        "conditions: 'all = day snow night': 'day' and 'night' exclude each other");
-  CHECK(refusal("all = fog rain").find("'fog' and 'rain' exclude") != std::string::npos);
-  CHECK(refusal("9-5 m = night").find("the smaller number first") != std::string::npos);
+  CHECK(conditionsRefusal("rain;wet") ==
+        "conditions: 'wet': 'wet' is no condition; use 18:30, dusk, night, overcast, haze, rain, "
+        "snow, bare, exchanged");
+  CHECK(conditionsRefusal("25:00").find("'25:00' is no condition") != std::string::npos);
 }
 
-TEST_CASE("entries that hold at no frame are told") {
-  const CameraRoute route = builtInRoute("block", {}).value();
-  CHECK(warningsOn(route, "all = rain; pass 2 = night; 0-20 m = snow").empty());
-  CHECK(warningsOn(route, "pass 2-3 = day; pass 3-9 = night") ==
-        std::vector<std::string>{"conditions: 'pass 3-9 = night' holds at no frame: the route is "
-                                 "driven at most 2 times at one place"});
-  const std::string metres = std::to_string(std::lround(drivenMetres(route).back()));
-  CHECK(warningsOn(route, "90000-90010 m = night").front() ==
-        "conditions: '90000-90010 m = night' holds at no frame: the route is " + metres +
-            " m long");
+TEST_CASE("entries that hold at no frame are warned of") {
+  CHECK(onBlock("rain; pass 2 = night").value().warnings().empty());
+  CHECK(onBlock("pass 3-9 = night").value().warnings() ==
+        std::vector<std::string>{"conditions: 'pass 3-9 = night' holds at no frame: a place is "
+                                 "driven at most 2 times"});
 }
 
-TEST_CASE("metres hold where they are driven, later entries win") {
-  const CameraRoute route = builtInRoute("block", {}).value();
-  const std::vector<double> driven = drivenMetres(route);
-  const auto conditions = conditionsOn(route, "all = night snow; 50-100 m = day rain");
-  REQUIRE(conditions.size() == route.T_town_camera.size());
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const bool inside = driven[i] >= 50 && driven[i] <= 100;
-    CHECK(conditions[i].is_night != inside);
-    CHECK(conditions[i].rains == inside);
-    CHECK(conditions[i].snow);
-    CHECK(conditions[i].weather.has_value() == inside);
+TEST_CASE("night is dark with lamps on, rain wets, snow covers") {
+  const auto light = [](const char* text) { return onBlock(text).value().lightAt(5); };
+  CHECK(light("").lamps == 0);
+  CHECK(light("").dimness == 1);
+  CHECK(light("night").lamps == 1);
+  CHECK(light("night").sun == 0);
+  CHECK(light("night").sky < 0.01F);
+  CHECK(light("night").dimness > 5);
+  CHECK(light("rain").wet == 1);
+  CHECK(light("rain").haze > light("").haze);
+  CHECK(light("snow").snow == 1);
+}
+
+TEST_CASE("light changes step by step over 20 m") {
+  const Conditions change = onBlock("pass 2 = night").value();
+  float before = 0;
+  std::size_t between = 0;
+  for (std::size_t i = 0; i < 546; ++i) {
+    const float lamps = change.lightAt(i).lamps;
+    CHECK(lamps >= before);
+    CHECK(lamps - before < 0.1F);
+    between += lamps > 0 && lamps < 1;
+    before = lamps;
   }
-  for (const Condition& condition : conditionsOn(route, "")) CHECK(condition == Condition{});
+  CHECK(before == 1);
+  CHECK(between > 10);
 }
 
 TEST_CASE("passes count how often a street was driven") {
   // block: 30 m over its start. eights: everything twice; crossings at a right angle do not count.
   const CameraRoute block = builtInRoute("block", {}).value();
   const std::vector<int> once = passNumbers(block);
-  const std::vector<double> driven = drivenMetres(block);
+  std::vector<double> driven = {0};
+  for (std::size_t i = 1; i < block.T_town_camera.size(); ++i) {
+    const Eigen::Vector3d step =
+        block.T_town_camera[i].translation() - block.T_town_camera[i - 1].translation();
+    driven.push_back(driven.back() + step.norm());
+  }
   double again = 0;
   for (std::size_t i = 1; i < once.size(); ++i) {
     CHECK(once[i] <= 2);
@@ -116,5 +114,4 @@ TEST_CASE("passes count how often a street was driven") {
   };
   CHECK(firsts(passes.begin(), passes.begin() + half) > 0.75);
   CHECK(firsts(passes.begin() + half, passes.end()) < 0.1);
-  for (const Condition& c : conditionsOn(eights, "pass 1-9 = night")) CHECK(c.is_night);
 }

@@ -4,8 +4,8 @@
 
 #include <functional>
 
+#include "lane_path.hpp"
 #include "route.hpp"
-#include "route_shapes.hpp"
 
 namespace tolman::town::test {
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sun and sky: the direction of the sun, illumination, extinction by haze.
+// Sun, sky and haze; lamps; rain and snow on surfaces.
 #include "light.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "material.hpp"
 
 using namespace tolman::town;
 
@@ -30,13 +32,11 @@ TEST_CASE("light falls by the cosine, and shadow leaves the sky") {
   CHECK(light.onto({0, 0, 1}, 0) > 0.5F * light.sky);
 }
 
-TEST_CASE("fog hides what is far and leaves what is near") {
-  const Light fog = makeLight(12, Weather::Fog, 0, 1);
-  CHECK(fog.sun == 0);
-  CHECK(std::abs(fog.through(0.1F, 300) - fog.horizon) < 0.01F * fog.horizon);
-  CHECK(fog.through(0.1F, 0.1F) == Approx(0.1F).epsilon(0.02));
-  const Light clear = makeLight(12, Weather::Clear, 0, 1);
-  CHECK(clear.through(0.1F, 500) == 0.1F);
+TEST_CASE("haze hides what is far and leaves what is near") {
+  const Light haze = makeLight(12, Weather::Overcast, 0.02, 1);
+  CHECK(std::abs(haze.through(0.1F, 300) - haze.horizon) < 0.01F * haze.horizon);
+  CHECK(haze.through(0.1F, 0.1F) == Approx(0.1F).epsilon(0.02));
+  CHECK(makeLight(12, Weather::Clear, 0, 1).through(0.1F, 500) == 0.1F);
 }
 
 TEST_CASE("the mean of lights has the mean of their numbers") {
@@ -64,4 +64,112 @@ TEST_CASE("cameras expose by the light on the road, lamps and snow included") {
   CHECK(light.level() > 1.5F * plain);
   makeNight(light);
   CHECK(light.level() > 5 * light.sky);
+}
+
+namespace {
+constexpr Vec3 kUp = {0, 0, 1};
+}
+
+TEST_CASE("below a lamp light falls off with the square of the height") {
+  const StreetLamps low({{100, -50, 4}});
+  const StreetLamps high({{100, -50, 8}});
+  CHECK(low.onto({100, -50, 0}, kUp) == Approx(4 * high.onto({100, -50, 0}, kUp)));
+  CHECK(low.onto({100, -50, 0}, {0, 0, -1}) == 0);
+  CHECK(low.onto({110, -50, 0}, kUp) < low.onto({105, -50, 0}, kUp));
+  CHECK(low.onto({131, -50, 0}, kUp) == 0);
+}
+
+TEST_CASE("lamps add up, also across cells, and shine themselves") {
+  std::vector<Vec3> heads;
+  float sum = 0;
+  const Vec3 point = {0.5F, 0.5F, 0};
+  for (int i = 0; i < 8; ++i) {
+    heads.push_back({static_cast<float>(i * 9 - 36), static_cast<float>(i % 3 * 8 - 8), 5});
+    sum += StreetLamps({heads.back()}).onto(point, kUp);
+  }
+  const StreetLamps lamps(heads);
+  CHECK(lamps.onto(point, kUp) == Approx(sum));
+  CHECK(lamps.isHead(heads[3]));
+  CHECK_FALSE(lamps.isHead({heads[3].x, heads[3].y, 4}));
+  CHECK(StreetLamps().onto(point, kUp) == 0);
+  CHECK_FALSE(StreetLamps().isHead(point));
+}
+
+TEST_CASE("low beams light what is ahead, below the horizon, and faces the car") {
+  const Headlights beams = {{0, 0, 0.7F}, {0, 1, 0}};
+  const Vec3 to_car = {0, -1, 0};
+  const float ahead = headlightsOnto(beams, {0, 15, 0.3F}, to_car);
+  CHECK(ahead > 0.1F);
+  CHECK(headlightsOnto(beams, {0, 30, 0.3F}, to_car) < ahead);
+  CHECK(headlightsOnto(beams, {0, 15, 3}, to_car) < 0.2F * ahead);
+  CHECK(headlightsOnto(beams, {12, 15, 0.3F}, to_car) < 0.3F * ahead);
+  CHECK(headlightsOnto(beams, {12, 15, 0.3F}, to_car) ==
+        Approx(headlightsOnto(beams, {-12, 15, 0.3F}, to_car)));
+  CHECK(headlightsOnto(beams, {0, -15, 0.3F}, {0, 1, 0}) == 0);
+  CHECK(headlightsOnto(beams, {0, 15, 0.3F}, {0, 1, 0}) == 0);
+}
+
+namespace {
+
+Surface of(Material material) {
+  Surface surface;
+  surface.material = material;
+  return surface;
+}
+
+/// Mean over a field of points.
+template <class Value>
+float mean(Value&& value) {
+  float sum = 0;
+  for (int i = 0; i < 2500; ++i) {
+    sum += value(Vec3{static_cast<float>(i % 50) * 0.71F, static_cast<float>(i) * 0.0131F, 0});
+  }
+  return sum / 2500;
+}
+
+}  // namespace
+
+TEST_CASE("rain darkens the ground and leaves walls") {
+  Light wet;
+  wet.wet = 1;
+  const StreetPlan plan;
+  const auto seen = [&](Material material, const Light& light) {
+    return mean([&](const Vec3& p) {
+      return weatheredAlbedo(0.3F, of(material), p, kUp, 0.01F, light, plan);
+    });
+  };
+  CHECK(seen(Material::Road, wet) < 0.7F * 0.3F);
+  CHECK(seen(Material::Facade, wet) == Approx(0.3F).epsilon(1e-3));
+  CHECK(seen(Material::Road, Light{}) == Approx(0.3F).epsilon(1e-3));
+}
+
+TEST_CASE("snow lies on what faces upwards, less in the tracks of the road") {
+  Light snow;
+  snow.snow = 1;
+  const StreetPlan plan;  // everything is on a centreline
+  const auto albedo = [&](Material material, const Vec3& normal) {
+    return mean([&](const Vec3& p) {
+      return weatheredAlbedo(0.2F, of(material), p, normal, 0.01F, snow, plan);
+    });
+  };
+  CHECK(albedo(Material::Land, kUp) == Approx(0.72).epsilon(0.1));
+  CHECK(albedo(Material::Roof, normalised({0.5F, 0, 1})) > 0.6F);
+  CHECK(albedo(Material::Facade, {1, 0, 0}) == Approx(0.2F).epsilon(1e-3));
+  CHECK(albedo(Material::Leaves, kUp) < albedo(Material::Land, kUp));
+  CHECK(albedo(Material::Road, kUp) > 0.5F);  // between the tracks
+}
+
+TEST_CASE("wet ground mirrors at grazing angles, dry ground and walls never") {
+  Light wet;
+  wet.wet = 1;
+  const auto share = [&](Material material, const Vec3& way, const Light& light) {
+    return mean(
+        [&](const Vec3& p) { return mirroredShare(of(material), p, kUp, normalised(way), light); });
+  };
+  const float grazing = share(Material::Road, {0, 1, -0.05F}, wet);
+  CHECK(grazing > 4 * share(Material::Road, {0, 1, -1}, wet));
+  CHECK(grazing < 1);
+  CHECK(share(Material::Road, {0, 1, -0.05F}, Light{}) == 0);
+  CHECK(share(Material::Facade, {0, 1, -0.05F}, wet) == 0);
+  CHECK(mirroredShare(of(Material::Kerb), {0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, wet) == 0);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Seeded noise: bounded, continuous, different for each seed, and zero for too coarse pixels.
+// Noise of single points and of eight at once.
 #include "noise.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "noise_lanes.hpp"
+#include "lanes.hpp"
 
 using namespace tolman::town;
 

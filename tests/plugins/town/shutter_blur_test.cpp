@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blur from depth, compared with the mean of many images rendered during the motion, and with
-// coverages of a simple silhouette.
+// Blur from depth: samples between pixels, paths of surfaces, means along them.
 #include "shutter_blur.hpp"
 
 #include <algorithm>
@@ -8,11 +7,129 @@
 #include <cmath>
 
 #include "small_town.hpp"
+#include "tolman/context.hpp"
 #include "tolman/geometry.hpp"
 
 using namespace tolman;
 using namespace tolman::town;
 using tolman::town::test::SmallTown;
+
+TEST_CASE("bilinear interpolation is exact on planes, and constant outside") {
+  std::vector<float> plane;
+  for (int row = 0; row < 5; ++row) {
+    for (int column = 0; column < 7; ++column) {
+      plane.push_back(static_cast<float>(2 * column - 3 * row));
+    }
+  }
+  const ImageSamples samples{plane, 7, 5};
+  CHECK(samples.at(2.25F, 1.5F) == Approx(0.0F));
+  CHECK(samples.at(6, 4) == Approx(0.0F));
+  CHECK(samples.at(-5, 0) == Approx(0.0F));
+  CHECK(samples.at(90, -1) == Approx(12.0F));
+}
+
+TEST_CASE("box means are those of the pixels in the box, less at the border") {
+  RandomStream random(5);
+  constexpr int kWidth = 37;  // whole groups of lines and single ones
+  constexpr int kHeight = 11;
+  std::vector<float> image;
+  for (int i = 0; i < kWidth * kHeight; ++i) {
+    image.push_back(static_cast<float>(random.uniform(0, 10)));
+  }
+  for (const int radius : {1, 3, 20}) {
+    const std::vector<float> blurred = boxBlur(image, kWidth, kHeight, radius);
+    for (int row = 0; row < kHeight; ++row) {
+      for (int column = 0; column < kWidth; ++column) {
+        double sum = 0;
+        int count = 0;
+        for (int r = std::max(row - radius, 0); r <= std::min(row + radius, kHeight - 1); ++r) {
+          for (int c = std::max(column - radius, 0); c <= std::min(column + radius, kWidth - 1);
+               ++c) {
+            sum += static_cast<double>(image[static_cast<std::size_t>(r * kWidth + c)]);
+            ++count;
+          }
+        }
+        CAPTURE(radius, row, column);
+        REQUIRE(static_cast<double>(blurred[static_cast<std::size_t>(row * kWidth + column)]) ==
+                Approx(sum / count).epsilon(1e-5));
+      }
+    }
+  }
+}
+
+namespace {
+
+RenderCamera cameraAt(const Eigen::Isometry3d& T_town_camera) {
+  RenderCamera view;
+  view.T_town_camera = T_town_camera;
+  view.width = 40;
+  view.height = 20;
+  view.pinhole = {100, 110, 18, 9};
+  return view;
+}
+
+/// Depth grows along rows; every third column belongs to instance 7, the last row is sky.
+RenderedImage slope(const RenderCamera& view) {
+  RenderedImage picture;
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      picture.depth.push_back(row + 1 == view.height ? 0 : 4 + 0.5F * static_cast<float>(column));
+      picture.instance.push_back(column % 3 == 0 ? 7 : column % 3 == 1 ? 2 : kNoInstance);
+      picture.radiance.push_back(0);
+    }
+  }
+  return picture;
+}
+
+ShutterMotion motionOf(const Vector6d& twist) {
+  return {expSe3(0.5 * twist), expSe3(-0.5 * twist)};
+}
+
+Eigen::Vector2d projected(const Pinhole& k, const Eigen::Vector3d& p) {
+  return {k.fx * p.x() / p.z() + k.cx, k.fy * p.y() / p.z() + k.cy};
+}
+
+}  // namespace
+
+TEST_CASE("paths are those of projected points, of the fixed town and of objects") {
+  const Eigen::Isometry3d T_town_camera =
+      Eigen::Translation3d(3, -2, 1) *
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  const RenderCamera view = cameraAt(T_town_camera);
+  const RenderedImage picture = slope(view);
+  const OpenShutter shutter = {motionOf((Vector6d() << 0.02, 0, 0.3, 0, 0.02, 0.01).finished()),
+                               {{}, motionOf((Vector6d() << 0.2, 0.1, 0, 0, 0, 0.1).finished())},
+                               6};
+  const PixelPaths paths = pixelPaths(view, picture, shutter);
+  for (const auto& [column, row] : {std::pair{0, 0}, {3, 5}, {4, 5}, {5, 5}, {39, 18}, {10, 19}}) {
+    CAPTURE(column, row);
+    const auto i = static_cast<std::size_t>(row * view.width + column);
+    const double z = row == 19 ? 1e4 : static_cast<double>(picture.depth[i]);
+    const Eigen::Vector3d point((column - 18.0) / 100 * z, (row - 9.0) / 110 * z, z);
+    const ShutterMotion object = column % 3 == 0 ? shutter.objects[1] : ShutterMotion{};
+    const auto seen = [&](const Eigen::Isometry3d& camera, const Eigen::Isometry3d& town) {
+      return projected(view.pinhole,
+                       camera * (T_town_camera.inverse() * (town * (T_town_camera * point))));
+    };
+    const Eigen::Vector2d way = seen(shutter.camera.T_end_middle, object.T_end_middle) -
+                                seen(shutter.camera.T_begin_middle, object.T_begin_middle);
+    CHECK(static_cast<double>(paths.u[i]) == Approx(way.x()).margin(0.02));
+    CHECK(static_cast<double>(paths.v[i]) == Approx(way.y()).margin(0.02));
+  }
+}
+
+TEST_CASE("paths are bounded, and none where a surface passes the camera") {
+  const RenderCamera view = cameraAt(Eigen::Isometry3d::Identity());
+  RenderedImage picture = slope(view);
+  picture.depth[0] = 0.2F;
+  const Eigen::Isometry3d half(Eigen::Translation3d(0, 0, 1));
+  const PixelPaths ahead = pixelPaths(view, picture, {{half, half.inverse()}, {}, 0});
+  CHECK(ahead.at(0).square() == 0);
+  CHECK(ahead.at(5).square() > 1);
+  const Eigen::Isometry3d aside(Eigen::Translation3d(-9, 0, 0));
+  const PixelPaths swift = pixelPaths(view, picture, {{aside.inverse(), aside}, {}, 0});
+  CHECK(static_cast<double>(swift.u[1]) == Approx(-static_cast<double>(kLongestPath)));
+}
 
 namespace {
 
@@ -22,10 +139,6 @@ double difference(const Pixels& a, const Pixels& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(std::abs(a[i] - b[i]));
   return sum / static_cast<double>(a.size());
-}
-
-ShutterMotion motionOf(const Vector6d& twist) {
-  return {expSe3(0.5 * twist), expSe3(-0.5 * twist)};
 }
 
 /// Mean radiance of 32 pictures of a camera that moves by `twist`, in its own axes.

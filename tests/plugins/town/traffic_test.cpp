@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Oncoming cars: on their lane, against the route, at constant speeds, and again from its end.
+// Oncoming cars: on their lane, against the route, at constant speeds.
 #include "traffic.hpp"
 
 #include <algorithm>
@@ -12,8 +12,30 @@
 
 using namespace tolman;
 using namespace tolman::town;
+using tolman::town::test::placeOf;
 
 namespace {
+
+World twoCars() {
+  World world;
+  world.cars = {3, 4};
+  return world;
+}
+
+Traffic trafficOn(const CameraRoute& route, const StreetPlan& plan, double density,
+                  std::uint32_t seed) {
+  World world = twoCars();
+  Traffic traffic(route, plan, density, seed, world);
+  CHECK(world.instances.size() == traffic.size());
+  return traffic;
+}
+
+/// Seen by a camera that is far away.
+Placement carAt(const Traffic& traffic, std::size_t index, double seconds) {
+  return traffic.at(
+      index, {seconds, Eigen::Isometry3d(Eigen::Translation3d(9e3, 9e3, 0) *
+                                         Eigen::AngleAxisd(1.57, Eigen::Vector3d::UnitX()))});
+}
 
 StreetPlan planOf(const CameraRoute& route) {
   return StreetPlan::grow(route, RouteOptions{}.camera_height).value();
@@ -32,9 +54,7 @@ CameraRoute straight(int length) {
 
 /// m/s of car `index` between two times that it does not leave the road in.
 double speedOf(const Traffic& traffic, std::size_t index, double from, double to) {
-  return (tolman::town::test::placeOf(traffic.at(index, to)) -
-          tolman::town::test::placeOf(traffic.at(index, from)))
-             .norm() /
+  return (placeOf(carAt(traffic, index, to)) - placeOf(carAt(traffic, index, from))).norm() /
          (to - from);
 }
 
@@ -43,11 +63,11 @@ double speedOf(const Traffic& traffic, std::size_t index, double from, double to
 TEST_CASE("on a straight street every car comes down the left lane at its own steady speed") {
   const CameraRoute route = straight(600);
   const StreetPlan plan = planOf(route);
-  const Traffic traffic(route, plan, 20, 5);
+  const Traffic traffic = trafficOn(route, plan, 20, 5);
   REQUIRE(traffic.size() == 12);
   std::vector<double> speeds;
   for (std::size_t i = 0; i < traffic.size(); ++i) {
-    const double start = tolman::town::test::placeOf(traffic.at(i, 0)).y();
+    const double start = placeOf(carAt(traffic, i, 0)).y();
     CHECK(start >= 50.0 * static_cast<double>(i));  // one car in each twelfth of the street
     CHECK(start < 50.0 * static_cast<double>(i + 1));
     if (start < 30) continue;  // turns over to the far end soon
@@ -57,7 +77,7 @@ TEST_CASE("on a straight street every car comes down the left lane at its own st
     CHECK(speedOf(traffic, i, 1, 2) == Approx(speed).epsilon(1e-3));
     speeds.push_back(speed);
     for (const double t : {0.0, 0.7, 1.9}) {
-      const Placement at = traffic.at(i, t);
+      const Placement at = carAt(traffic, i, t);
       CHECK(at.position.x == Approx(-2 * StreetPlan::kLaneOffset).margin(1e-4));
       CHECK(at.cosine == Approx(0).margin(1e-5));
       CHECK(at.sine == Approx(-1));
@@ -71,18 +91,18 @@ TEST_CASE("on a straight street every car comes down the left lane at its own st
 TEST_CASE("a car that reaches the beginning of the route comes again from its end") {
   const CameraRoute route = straight(300);
   const StreetPlan plan = planOf(route);
-  const Traffic traffic(route, plan, 10, 9);
+  const Traffic traffic = trafficOn(route, plan, 10, 9);
   REQUIRE(traffic.size() == 3);
   const double speed = speedOf(traffic, 2, 0, 1);  // begins in the last third
   const double round = 300 / speed;
   for (const double t : {0.0, 3.3, 11.0}) {
-    const Eigen::Vector2d now = tolman::town::test::placeOf(traffic.at(2, t));
-    CHECK((tolman::town::test::placeOf(traffic.at(2, t + round)) - now).norm() < 0.05);
-    CHECK((tolman::town::test::placeOf(traffic.at(2, t + 5 * round)) - now).norm() < 0.2);
+    const Eigen::Vector2d now = placeOf(carAt(traffic, 2, t));
+    CHECK((placeOf(carAt(traffic, 2, t + round)) - now).norm() < 0.05);
+    CHECK((placeOf(carAt(traffic, 2, t + 5 * round)) - now).norm() < 0.2);
   }
   // Long after and long before the drive it is on the street all the same.
   for (const double t : {-1e5, 1e6}) {
-    const Eigen::Vector2d p = tolman::town::test::placeOf(traffic.at(2, t));
+    const Eigen::Vector2d p = placeOf(carAt(traffic, 2, t));
     CHECK(p.y() >= 0);
     CHECK(p.y() <= 300);
   }
@@ -91,19 +111,17 @@ TEST_CASE("a car that reaches the beginning of the route comes again from its en
 TEST_CASE("through bends cars keep their lane and look where they drive") {
   const CameraRoute route = town::test::builtIn("block");
   const StreetPlan plan = planOf(route);
-  const Traffic traffic(route, plan, 15, 2);
+  const Traffic traffic = trafficOn(route, plan, 15, 2);
   REQUIRE(traffic.size() >= 4);
   int in_bends = 0;
   for (std::size_t i = 0; i < traffic.size(); ++i) {
     for (double t = 0; t < 60; t += 0.93) {
-      const Placement now = traffic.at(i, t);
-      const Eigen::Vector2d step =
-          tolman::town::test::placeOf(traffic.at(i, t + 0.02)) - tolman::town::test::placeOf(now);
+      const Placement now = carAt(traffic, i, t);
+      const Eigen::Vector2d step = placeOf(carAt(traffic, i, t + 0.02)) - placeOf(now);
       if (step.norm() > 1) continue;  // from the beginning to the end
       double nearest = std::numeric_limits<double>::infinity();
       for (const Eigen::Isometry3d& T : route.T_town_camera) {
-        nearest = std::min(nearest,
-                           (T.translation().head<2>() - tolman::town::test::placeOf(now)).norm());
+        nearest = std::min(nearest, (T.translation().head<2>() - placeOf(now)).norm());
       }
       CAPTURE(i, t);
       REQUIRE(nearest > 2 * StreetPlan::kLaneOffset - 0.1);
@@ -121,7 +139,7 @@ TEST_CASE("a car that would drive through the camera passes beside it") {
       town::test::levelPose({Eigen::Vector2d(10, 50), Eigen::Vector2d(0, 1)}, 0);
   const auto moved = [&](double right, double ahead) {
     const Placement car = Placement::at({float(10 + right), float(50 + ahead), 0}, 1.5F);
-    return tolman::town::test::placeOf(besideCamera(car, camera));
+    return placeOf(besideCamera(car, camera));
   };
   for (const double right : {-2.5, -1.0, 0.0, 1.0, 2.5}) {
     double last = moved(right, -30).x();
@@ -142,13 +160,14 @@ TEST_CASE("a seed makes one traffic; no density, no street and no drive make non
   const CameraRoute route = straight(400);
   const StreetPlan plan = planOf(route);
   const auto places = [&](std::uint32_t seed) {
-    const Traffic traffic(route, plan, 10, seed);
+    const Traffic traffic = trafficOn(route, plan, 10, seed);
     std::vector<float> along;
-    for (std::size_t i = 0; i < traffic.size(); ++i) along.push_back(traffic.at(i, 4).position.y);
+    for (std::size_t i = 0; i < traffic.size(); ++i)
+      along.push_back(carAt(traffic, i, 4).position.y);
     return along;
   };
   CHECK(places(1) == places(1));
   CHECK(places(1) != places(2));
-  CHECK(Traffic(route, plan, 0, 1).size() == 0);
-  CHECK(Traffic(straight(0), plan, 10, 1).size() == 0);
+  CHECK(trafficOn(route, plan, 0, 1).size() == 0);
+  CHECK(trafficOn(straight(0), plan, 10, 1).size() == 0);
 }
