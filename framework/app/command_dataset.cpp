@@ -9,6 +9,7 @@
 #include "app/recording.hpp"
 #include "config/values.hpp"
 #include "engine/assembly.hpp"
+#include "engine/findings.hpp"
 #include "engine/pair_survey.hpp"
 #include "engine/rectified_source.hpp"
 #include "host/stage_artefacts.hpp"
@@ -16,14 +17,13 @@
 namespace tolman::app {
 namespace {
 
-using Findings = std::vector<Finding>;
 using Severity = Finding::Severity;
 
 struct CheckCommand {
   std::string source;               ///< id; empty: by the layout of the recording
   std::string path;                 ///< empty for a source that reads no files, such as a camera
   std::vector<std::string> values;  ///< "first=3", "images.scale=0.5"
-  bool decode = false;
+  std::int64_t frames = 0;          ///< at most; 0: all
 };
 
 /// Whether a value of --set is a key of the host for the images, not a parameter of the source.
@@ -62,74 +62,66 @@ run::SystemOptions systemOf(const CheckCommand& command, const Invocation& invoc
   return options;
 }
 
-/// Reads every frame, as a run would.
-void decodeAll(pipeline::RectifiedSource& source, Findings& findings) {
-  SourceInfo info;
-  Status status = source.info(info);
+/// What a run would say of the cameras before its first frame.
+Status lookAtCameras(pipeline::RectifiedSource& source, SourceInfo& info,
+                     FindingCollector& findings) {
+  const Status status = source.info(info);
+  if (!status.isOk()) return status;
+  findings.add({Severity::Note, "", info.description});
+  for (const std::string& doubt : source.doubts()) {
+    findings.add({Severity::Warning, "cameras", doubt});
+  }
+  return status;
+}
+
+/// Reads the frames as a run would, and reports how well the rows of the first pairs agree.
+void readFrames(pipeline::RectifiedSource& source, const SourceInfo& info, std::int64_t most,
+                FindingCollector& findings) {
+  constexpr std::int64_t kPairs = 10;  // compared, and read of a source that has no end
+  if (most == 0) most = source.isEndless() ? kPairs : INT64_MAX;
+  imaging::PairSurvey survey;
+  Status status;
   std::int64_t frames = 0;
   std::int64_t defects = 0;
-  std::string first_defect;
-  while (status.isOk()) {
+  for (; frames < most; ++frames) {
     Frame frame;
     status = source.next(frame);
     if (!status.isOk()) break;
-    if (!frame.defect.empty() && defects++ == 0) {
-      first_defect = fmt::format("frame {}: {}", frame.frame, frame.defect);
-    }
-    ++frames;
+    if (!frame.defect.empty()) ++defects;
+    if (info.rig.isStereo() && survey.pairs() < kPairs) survey.add(frame);
+  }
+  if (info.rig.isStereo()) {
+    for (Finding& finding : survey.findings()) findings.add(std::move(finding));
   }
   if (defects > 0) {
-    findings.push_back({Severity::Warning, "",
-                        fmt::format("{} of {} frames have no sound image, which a run passes by; "
-                                    "the first is {}",
-                                    defects, frames, first_defect)});
+    findings.add({Severity::Warning, "",
+                  fmt::format("{} of {} frames have no sound image", defects, frames)});
   }
-  const bool at_end = status.code() == StatusCode::EndOfStream;
-  findings.push_back(
-      {at_end ? Severity::Note : Severity::Error, "",
-       at_end ? fmt::format("{} frames decode", frames - defects) : status.message()});
+  const bool failed = !status.isOk() && status.code() != StatusCode::EndOfStream;
+  findings.add({failed ? Severity::Error : Severity::Note, "",
+                failed ? status.message() : fmt::format("{} frames decode", frames - defects)});
 }
 
-/// Rectifies some pairs as a run would, and reports how well their rows agree.
-void surveyPairs(pipeline::RectifiedSource& source, Findings& findings) {
-  constexpr int kPairs = 10;
-  SourceInfo info;
-  if (const Status status = source.info(info); !status.isOk()) {
-    findings.push_back({Severity::Error, "", status.message()});
-    return;
-  }
-  if (!source.text().empty()) findings.push_back({Severity::Note, "cameras", source.text()});
-  if (!source.cutText().empty()) findings.push_back({Severity::Note, "images", source.cutText()});
-  for (const std::string& doubt : source.doubts()) {
-    findings.push_back({Severity::Warning, "cameras", doubt});
-  }
-  if (!info.rig.isStereo()) return;
-  imaging::PairSurvey survey;
-  Frame frame;
-  while (survey.pairs() < kPairs && source.next(frame).isOk()) survey.add(frame);
-  for (Finding& finding : survey.findings()) findings.push_back(std::move(finding));
-  (void)source.instance().reset();  // the next call reports a failure
-  source.resetChecks();
-}
-
-bool print(const Findings& findings, bool json) {
-  constexpr std::array<std::string_view, 3> kNames = {"note", "warning", "error"};
-  bool sound = true;
+/// Prints each kind of findings once, with their number. Whether there is no error.
+bool print(run::Findings& findings, bool json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Finding& finding : findings) {
-    const std::string_view severity = kNames.at(static_cast<std::size_t>(finding.severity));
-    sound = sound && finding.severity != Severity::Error;
-    list.push_back(
-        {{"severity", severity}, {"where", finding.where}, {"message", finding.message}});
-    if (json) continue;
-    std::cout << fmt::format("{:<8} {}{}{}\n", severity, finding.where,
-                             finding.where.empty() ? "" : ": ", finding.message);
+  for (const Finding& finding : findings.take()) {
+    list.push_back({{"severity", enumName(finding.severity)},
+                    {"kind", enumName(finding.kind)},
+                    {"where", finding.where},
+                    {"message", finding.message},
+                    {"remedy", finding.remedy}});
   }
   if (json) std::cout << jsonText(list);
+  bool sound = true;
+  for (const run::Findings::Kind& kind : findings.takeNewKinds()) {
+    sound = sound && kind.first.severity != Severity::Error;
+    if (!json) std::cout << fmt::format("{:<8} {}\n", enumName(kind.first.severity), kind.text());
+  }
   return sound;
 }
 
-/// Configures the source, lets it inspect its data, and prints the findings.
+/// Reads the data as a run would, and prints the findings.
 ExitCode check(const CheckCommand& command, const Invocation& invocation) {
   const auto checked =
       run::require(run::checkSystem(systemOf(command, invocation), run::Scope::Source));
@@ -138,20 +130,26 @@ ExitCode check(const CheckCommand& command, const Invocation& invocation) {
       checked.config.rectification, checked.config.images);
   run::RunLog log(invocation.quiet);
   run::StageLogger logger(log, "source");
+  run::Findings all;
+  run::StageFindings findings(all, "source");
   host::StageArtefacts artefacts;
   const run::SteadyClock clock;
   const run::Interrupts interrupts;
-  const Status configured = source.instance().configure(
-      {checked.values.at("source"), logger, artefacts, interrupts, clock, {}, 1, "source"});
+  Status status = source.instance().configure({checked.values.at("source"),
+                                               logger,
+                                               findings,
+                                               artefacts,
+                                               interrupts,
+                                               clock,
+                                               {},
+                                               1,
+                                               "source"});
   if (interrupts.requested()) return ExitCode::Interrupted;
-  Findings findings;
-  const Status inspected = source.inspect(findings);
-  if (configured.isOk()) surveyPairs(source, findings);
-  if (configured.isOk() && command.decode) decodeAll(source, findings);
-  const bool sound = print(findings, invocation.json);
-  if (!sound) return ExitCode::Dataset;  // the findings say why configure() failed
-  run::require(configured, run::FailureKind::Dataset);
-  run::require(inspected, run::FailureKind::Dataset);
+  SourceInfo info;
+  if (status.isOk()) status = lookAtCameras(source, info, findings);
+  if (status.isOk()) readFrames(source, info, command.frames, findings);
+  if (!print(all, invocation.json)) return ExitCode::Dataset;  // they say why configure() failed
+  run::require(status, run::FailureKind::Dataset);
   return ExitCode::Ok;
 }
 
@@ -168,7 +166,8 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
             "Source plugin that reads it (default: by its layout)");
   addList(checking, "--set", asked->values, "NAME=VALUE",
           "Parameter of the source, or key of the host: --set a=b, --set images.scale=0.5");
-  checking.add_flag("--decode", asked->decode, "Also decode every image");
+  addOption(checking, "--frames", asked->frames, "N",
+            "Read at most N frames (default: all; 10 of a source without an end)");
   checking.callback([asked, &invocation] { invocation.exit_code = check(*asked, invocation); });
   addRenderCommand(command, invocation);
 }

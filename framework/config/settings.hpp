@@ -16,11 +16,17 @@ namespace tolman::config {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
+/// What follows an error among the findings of a stage (Context::findings).
+enum class FindingPolicy : std::uint8_t { Stop, Continue };
+inline constexpr std::array<std::string_view, 2> kFindingPolicyNames = {"stop", "continue"};
+constexpr std::span<const std::string_view> enumNames(FindingPolicy) { return kFindingPolicyNames; }
+
 /// Keys at the top of a file.
 struct GeneralSettings {
   std::string name;  ///< empty: the file's name
   std::int64_t seed = 1;
   int threads = 0;
+  FindingPolicy on_findings = FindingPolicy::Stop;
   std::string continue_from;  ///< key `continue`, a reserved word in C++
   static constexpr auto declaration() {
     return parameters(parameter("name", &GeneralSettings::name)
@@ -31,6 +37,9 @@ struct GeneralSettings {
                       parameter("threads", &GeneralSettings::threads)
                           .range(0, 1024)
                           .doc("Worker threads; 0 for one per processor."),
+                      parameter("on_findings", &GeneralSettings::on_findings)
+                          .doc("Damaged or contradictory data: stop the run, or continue without "
+                               "them and warn."),
                       parameter("continue", &GeneralSettings::continue_from)
                           .path()
                           .doc("Run directory whose map this run continues; empty for a new map."));

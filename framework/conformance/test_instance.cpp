@@ -6,8 +6,13 @@
 namespace tolman::conformance {
 
 /// Services of the context that ignore everything.
-struct TestInstance::Services final : Logger, ArtefactWriter, Cancellation, Clock {
+struct TestInstance::Services final : Logger,
+                                      FindingCollector,
+                                      ArtefactWriter,
+                                      Cancellation,
+                                      Clock {
   void write(LogLevel, std::string_view) override {}
+  void add(Finding) override {}
   Status write(std::string_view, std::span<const std::byte>) override { return Status::ok(); }
   bool requested() const override { return false; }
   std::int64_t steadyNs() const override {
@@ -33,11 +38,16 @@ TestInstance::~TestInstance() { (void)destroy(); }
 Status TestInstance::configure(const CameraRig& rig) {
   if (!created_.isOk()) return created_;
   plugin_.trace("configure");
-  const Context context{values_,      *services_,
-                        *services_,   *services_,
-                        *services_,   plugin_.role() == Role::Source ? CameraRig() : rig,
-                        plugin_.seed, driver_->instance().name(),
-                        false,        true};
+  const bool is_source = plugin_.role() == Role::Source;
+  const Context context{values_,
+                        *services_,
+                        *services_,
+                        *services_,
+                        *services_,
+                        *services_,
+                        is_source ? CameraRig() : rig,
+                        plugin_.seed,
+                        driver_->instance().name()};
   driver_->setRig(rig);
   const Status status = driver_->instance().configure(context);
   if (status.isOk()) driver_->beginRun();

@@ -36,16 +36,22 @@ std::unique_ptr<host::Instance> instantiate(const CheckedSystem& system, std::si
 
 Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
                    const Cancellation& cancellation)
-    : checked_(std::move(checked)) {
+    : checked_(std::move(checked)),
+      findings_(std::make_unique<Findings>(checked_.config.general.on_findings)) {
   for (std::size_t i = 0; i < checked_.config.stages.size(); ++i) {
     const config::StageConfig& stage = checked_.config.stages[i];
     auto instance = instantiate(checked_, i);
-    const auto& services = services_.emplace_back(
-        std::unique_ptr<Services>(new Services{stage.instance, {log, stage.instance}, {}}));
-    const Status status =
+    const auto& services = services_.emplace_back(std::unique_ptr<Services>(
+        new Services{stage.instance, {log, stage.instance}, {*findings_, stage.instance}, {}}));
+    const Status status = findings_->judge(
         instance->configure({checked_.values.find(stage.instance)->second, services->log,
-                             services->artefacts, cancellation, clock, info_.rig,
-                             seedOf(checked_.config.general.seed, stage.instance), stage.instance});
+                             services->findings, services->artefacts, cancellation, clock,
+                             info_.rig, seedOf(checked_.config.general.seed, stage.instance),
+                             stage.instance}),
+        -1);
+    for (const Findings::Kind& kind : findings_->takeNewKinds()) {
+      log.write(kind.level(), kind.first.stage, kind.text());
+    }
     // What configure() answers then says nothing of the plugin or its data.
     if (cancellation.requested()) {
       throw Failed({FailureKind::Interrupted,
@@ -64,6 +70,7 @@ void Assembly::add(std::unique_ptr<host::Instance> instance, const config::Stage
     case Role::Source:
       source_ = std::make_unique<pipeline::RectifiedSource>(
           std::move(instance), checked_.config.rectification, checked_.config.images);
+      source_->judgeBy(*findings_);
       break;
     case Role::Odometry:
       odometry_ = std::make_unique<host::OdometryStage>(std::move(instance));

@@ -10,6 +10,7 @@
 
 #include "engine/chain.hpp"
 #include "engine/checked_system.hpp"
+#include "engine/findings.hpp"
 #include "engine/services.hpp"
 #include "host/stage_artefacts.hpp"
 #include "host/stages.hpp"
@@ -36,6 +37,8 @@ class Assembly {
 
   const CheckedSystem& system() const { return checked_; }
   const SourceInfo& sourceInfo() const { return info_; }
+  /// What the stages found; what configure() found is in the log already.
+  Findings& findings() { return *findings_; }
   /// Appends descriptions of the source's sensors and of the arrays of the cells.
   Status describeArrays(std::vector<ArrayInfo>& arrays);
   /// The name of a stage in the configuration; the name of the role if there is no such stage.
@@ -61,6 +64,7 @@ class Assembly {
   struct Services {
     std::string instance;
     StageLogger log;
+    StageFindings findings;
     host::StageArtefacts artefacts;
   };
 
@@ -69,6 +73,7 @@ class Assembly {
 
   CheckedSystem checked_;
   SourceInfo info_;
+  std::unique_ptr<Findings> findings_;  ///< at a fixed address
   std::vector<std::unique_ptr<Services>> services_;
   std::vector<host::Instance*> instances_;
   std::unique_ptr<pipeline::RectifiedSource> source_;

@@ -82,7 +82,8 @@ Status RectifiedSource::prepare(CameraRig& rig) {
 }
 
 Status RectifiedSource::next(Frame& frame) {
-  const Status status = SourceStage::next(frame);
+  Status status = SourceStage::next(frame);
+  if (findings_ != nullptr) status = findings_->judge(status, frame.frame);
   if (!status.isOk()) return status;
   if (left_only_) frame.right = {};
   if (maps_.empty() && cut_.isWhole()) return status;

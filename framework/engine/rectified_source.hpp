@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/settings.hpp"
+#include "engine/findings.hpp"
 #include "engine/image_cut.hpp"
 #include "engine/pixel_map.hpp"
 #include "host/stages.hpp"
@@ -21,7 +22,6 @@ class RectifiedSource : private host::SourceStage {
                            config::ImageSettings images = {})
       : SourceStage(std::move(instance)), settings_(settings), images_(std::move(images)) {}
 
-  using SourceStage::inspect;
   using SourceStage::instance;
   using SourceStage::resetChecks;
   using SourceStage::startAt;
@@ -30,6 +30,8 @@ class RectifiedSource : private host::SourceStage {
   /// or images cannot be cropped as configured.
   Status info(SourceInfo& info);
   Status next(Frame& frame);
+  /// From now on next() fails after an error among these findings, unless `on_findings: continue`.
+  void judgeBy(run::Findings& findings) { findings_ = &findings; }
   /// The raw cameras, after info(); none where the source gives rectified images.
   const RawRig& rawRig() const { return raw_; }
   /// Whether the source does not know its number of frames (a live source); after info().
@@ -58,6 +60,7 @@ class RectifiedSource : private host::SourceStage {
   std::vector<imaging::PixelMap> maps_;  ///< one per camera; none: images are not rectified
   imaging::ImageCut cut_;
   std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
+  run::Findings* findings_ = nullptr;
   std::int64_t rectifying_ns_ = 0;
   bool is_endless_ = false;
   bool left_only_ = false;  ///< the stages get only the left image of a raw pair

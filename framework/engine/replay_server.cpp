@@ -72,7 +72,8 @@ void ReplayServer::openObserver(bool running) {
   const host::LoadedPlugin plugin = loadFrom(catalogue, id, Role::Observer);
   auto instance = require(host::Instance::create(plugin, "viewer"));
   values_ = parametersOf(plugin.schema, running);
-  const Context context{values_, logger_, artefacts_, cancellation_, clock_, {}, 0, "viewer"};
+  const Context context{values_, logger_, findings_, artefacts_, cancellation_,
+                        clock_,  {},      0,         "viewer"};
   const Status status = instance->configure(context);
   const bool choice = status.code() == StatusCode::InvalidParameter;
   require(status, choice ? FailureKind::Configuration : FailureKind::Plugin, "viewer");

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/checked_system.hpp"
+#include "engine/findings.hpp"
 #include "engine/recorded_images.hpp"
 #include "record/replay.hpp"
 
@@ -63,6 +64,8 @@ class ReplayServer {
   const Cancellation& cancellation_;
   const ReplayListener& listener_;
   StageLogger logger_;
+  Findings all_findings_;
+  StageFindings findings_{all_findings_, "viewer"};
   NoArtefacts artefacts_;
   ParameterValues values_;
   std::unique_ptr<host::ObserverStage> observer_;

@@ -84,6 +84,7 @@ void Run::drive(Outcome& outcome) {
   for (const Status& status : assembly_->teardown()) {
     listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
   }
+  listener.takeFindings(true);
   warnOfSource(result, listener);
   outcome.failure = failureOf(result.failure, listener);
   if (!outcome.failure) outcome.failure = unsaved;

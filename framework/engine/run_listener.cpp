@@ -101,6 +101,7 @@ Status RunListener::onFrame(const Snapshot& snapshot) {
   if (const auto note = source_notes_.add(*snapshot.frame)) {
     onEvent({snapshot.frame->frame, LogLevel::Warning, assembly_.stageName(Role::Source), *note});
   }
+  takeFindings(false);
   const std::vector<RunEvent> events = takeEvents();
   Snapshot observed = snapshot;
   observed.events = &events;
@@ -115,6 +116,15 @@ void RunListener::onEvent(const pipeline::Event& event) {
   if (observers_.empty()) return;
   const std::lock_guard lock(events_mutex_);
   events_.push_back(event);
+}
+
+void RunListener::takeFindings(bool at_end) {
+  Findings& findings = assembly_.findings();
+  const auto found = findings.take();
+  if (record_status_.isOk() && !found.empty()) record_status_ = recorder_.findings(found);
+  for (const auto& kind : at_end ? findings.takeGrownKinds() : findings.takeNewKinds()) {
+    onEvent({kind.first.frame, kind.level(), kind.first.stage, kind.text()});
+  }
 }
 
 bool RunListener::checkpointDue() {

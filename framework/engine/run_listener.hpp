@@ -33,6 +33,9 @@ class RunListener : public pipeline::Listener {
   Status onTrajectory(const std::vector<pipeline::FramePose>& poses) override;
   Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
 
+  /// Records the new findings of the stages, and reports those of a new kind; at the end also how
+  /// many more there were.
+  void takeFindings(bool at_end);
   /// Also records the answers of the front end in `answers`, which must outlive this object.
   void recordAnswers(record::AnswersFile& answers) { answers_ = &answers; }
   /// For a resumed run: `frame` is the last frame that is recorded already.

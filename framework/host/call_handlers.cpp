@@ -45,7 +45,6 @@ void addExtras(Handlers& handlers, const PluginObject& object) {
 void addCalls(Handlers& handlers, Source& source) {
   handlers[Call::Info] = handler(source, &Source::info);
   handlers[Call::Next] = handler(source, &Source::next);
-  handlers[Call::Inspect] = handler(source, &Source::inspect);
 }
 
 void addCalls(Handlers& handlers, Odometry& odometry) {

@@ -19,7 +19,6 @@ enum class Call : std::uint32_t {
   Restore,
   Info,
   Next,
-  Inspect,
   Track,
   FinishOdometry,
   Input,
@@ -43,6 +42,7 @@ enum class Call : std::uint32_t {
 enum class ReplyKind : std::uint32_t {
   Reply = 1,  ///< to a call: status and results in the shared buffer
   Log,        ///< one log line; at any time
+  Finding,    ///< one finding; at any time
 };
 
 }  // namespace tolman::isolation

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The values of a context that are sent to the process of a plugin. Its services (log, artefacts,
-// cancellation) are created in that process.
+// The values of a context that are sent to the process of a plugin, whose services (log, findings,
+// artefacts, cancellation) are created in that process; and findings that it sends back.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
 
+#include "host/channel.hpp"
 #include "host/codec.hpp"
 #include "tolman/context.hpp"
 
@@ -18,14 +20,37 @@ struct ContextMessage {
   CameraRig rig;
   std::uint64_t seed = 0;
   std::string instance;
-  bool interactive = false;
-  bool quiet = false;
 
   static ContextMessage of(const Context& context) {
-    return {context.parameters, context.rig,         context.seed,
-            context.instance,   context.interactive, context.quiet};
+    return {context.parameters, context.rig, context.seed, context.instance};
   }
 };
+
+/// A finding as the text of a message, and back; std::nullopt for another text.
+inline std::string textOf(const Finding& finding) {
+  std::string text{static_cast<char>(finding.severity), static_cast<char>(finding.kind)};
+  for (const std::string* part : {&finding.where, &finding.message, &finding.remedy}) {
+    text += part->substr(0, kMaxText / 4) + '\0';
+  }
+  return text;
+}
+inline std::optional<Finding> findingOf(const std::string& text) {
+  Finding finding;
+  if (text.size() < 2) return std::nullopt;
+  finding.severity = static_cast<Finding::Severity>(text[0]);
+  finding.kind = static_cast<Finding::Kind>(text[1]);
+  if (finding.severity > Finding::Severity::Error || finding.kind > Finding::Kind::Contradiction) {
+    return std::nullopt;
+  }
+  std::size_t begin = 2;
+  for (std::string* part : {&finding.where, &finding.message, &finding.remedy}) {
+    const std::size_t end = text.find('\0', begin);
+    if (end == std::string::npos) return std::nullopt;
+    *part = text.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  return finding;
+}
 
 /// Which plugin a process opens, and its limits.
 struct LoadMessage {
@@ -38,9 +63,7 @@ struct LoadMessage {
 
 template <class T>
 requires std::same_as<std::remove_const_t<T>, ContextMessage>
-auto parts(T& m) {
-  return std::tie(m.parameters, m.rig, m.seed, m.instance, m.interactive, m.quiet);
-}
+auto parts(T& m) { return std::tie(m.parameters, m.rig, m.seed, m.instance); }
 template <class T>
 requires std::same_as<std::remove_const_t<T>, LoadMessage>
 auto parts(T& m) { return std::tie(m.file, m.id, m.program, m.memory_mib, m.threads); }

@@ -41,9 +41,11 @@ std::optional<Refusal> checkGate(const Manifest& manifest, const HostIdentity& h
     return Refusal{"plugin/sdk-major", subject(manifest) + built,
                    "rebuild the plugin against this SDK; docs/stability.md lists what changed"};
   }
-  if (manifest.sdk_minor > host.sdk_minor) {
+  const bool is_unreleased = host.sdk_major == 0;  // its minor versions may break
+  if (manifest.sdk_minor > host.sdk_minor ||
+      (is_unreleased && manifest.sdk_minor != host.sdk_minor)) {
     return Refusal{"plugin/sdk-minor", subject(manifest) + built,
-                   "update Tolman, or rebuild the plugin against the older SDK"};
+                   "rebuild the plugin against this SDK, or use the Tolman that it was built for"};
   }
   if (manifest.fingerprint != host.fingerprint) {
     return Refusal{"plugin/fingerprint",

@@ -20,10 +20,6 @@ OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin
   PluginObject object;
   const Status status = guarded({name, plugin.manifest.id, "construct", -1}, [&] {
     object = plugin.descriptor->create();
-    if (plugin.descriptor->sdk_major == 0 && plugin.descriptor->sdk_minor < 2) {
-      object = {object.plugin, object.arrays,
-                object.state};  // SDK 0.1 plugins write only these members
-    }
     return Status::ok();
   });
   if (!status.isOk()) {

@@ -39,6 +39,17 @@ class RemoteLogger : public Logger {
   const Socket& socket_;
 };
 
+class RemoteFindings : public FindingCollector {
+ public:
+  explicit RemoteFindings(const Socket& socket) : socket_(socket) {}
+  void add(Finding finding) override {
+    (void)socket_.send({{static_cast<std::uint32_t>(ReplyKind::Finding)}, textOf(finding)});
+  }
+
+ private:
+  const Socket& socket_;
+};
+
 class RemoteCancellation : public Cancellation {
  public:
   explicit RemoteCancellation(const ControlBlock& control) : control_(control) {}
@@ -78,6 +89,7 @@ class PluginProcess {
         control_(descriptors.at(3)),
         services_(services),
         log_(socket_),
+        findings_(socket_),
         cancellation_(*reinterpret_cast<const ControlBlock*>(control_.view(sizeof(ControlBlock)))) {
     for (const int descriptor : descriptors) {
       ::fcntl(descriptor, F_SETFD,
@@ -154,9 +166,9 @@ class PluginProcess {
 
   Status configure(const ContextMessage& message) {
     context_ = message;
-    return object_.plugin->configure({context_.parameters, log_, artefacts_, cancellation_,
-                                      services_.clock, context_.rig, context_.seed,
-                                      context_.instance, context_.interactive, context_.quiet});
+    return object_.plugin->configure({context_.parameters, log_, findings_, artefacts_,
+                                      cancellation_, services_.clock, context_.rig, context_.seed,
+                                      context_.instance});
   }
 
   Status openArtefacts(const std::string& directory) {
@@ -176,6 +188,7 @@ class PluginProcess {
   SharedBuffer control_;
   const ProcessServices& services_;
   RemoteLogger log_;
+  RemoteFindings findings_;
   host::StageArtefacts artefacts_;
   RemoteCancellation cancellation_;
   std::optional<tbb::global_control> threads_;

@@ -5,6 +5,8 @@
 
 #include <new>
 
+#include "host/context_message.hpp"
+
 namespace tolman::isolation {
 namespace {
 
@@ -34,8 +36,10 @@ ProcessHandle::ProcessHandle(LaunchOptions launch)
   socket_ = std::move(ours);
 }
 
-void ProcessHandle::connect(Logger* log, const Cancellation* cancellation) {
+void ProcessHandle::connect(Logger* log, FindingCollector* findings,
+                            const Cancellation* cancellation) {
   log_ = log;
+  findings_ = findings;
   cancellation_ = cancellation;
 }
 
@@ -58,6 +62,11 @@ Status ProcessHandle::call(Call call, const Write& write, const Read& read) {
     if (message.kind == static_cast<std::uint32_t>(ReplyKind::Reply)) {
       if (message.detail == call_number_) return readReply(message, read);
       continue;  // from a copy of the process that the plugin made by fork()
+    }
+    if (message.kind == static_cast<std::uint32_t>(ReplyKind::Finding)) {
+      const auto finding = findingOf(message.text);
+      if (findings_ != nullptr && finding) findings_->add(*finding);
+      continue;
     }
     if (log_ != nullptr && message.detail <= static_cast<std::uint32_t>(LogLevel::Error)) {
       log_->write(static_cast<LogLevel>(message.detail), message.text);

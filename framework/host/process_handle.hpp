@@ -38,8 +38,9 @@ class ProcessHandle {
 
   /// Starts the process. Throws std::exception.
   explicit ProcessHandle(LaunchOptions launch);
-  /// From now on passes log lines to `log` and cancellation to the process. Both may be null.
-  void connect(Logger* log, const Cancellation* cancellation);
+  /// From now on passes log lines and findings on, and cancellation to the process. All may be
+  /// null.
+  void connect(Logger* log, FindingCollector* findings, const Cancellation* cancellation);
 
   /// Makes one call. Returns the status of the plugin, or a failure if the process ended; `read`
   /// gets the results when it is Ok.
@@ -71,6 +72,7 @@ class ProcessHandle {
   StackReport stack_;
   std::unique_ptr<ChildProcess> process_;
   Logger* log_ = nullptr;
+  FindingCollector* findings_ = nullptr;
   const Cancellation* cancellation_ = nullptr;
   std::uint32_t call_number_ = 0;
   bool record_requests_ = false;

@@ -151,8 +151,9 @@ bool RemotePlugin::enableRestart() {
 
 Status RemotePlugin::configure(const Context& context) {
   log_ = &context.log;
+  findings_ = &context.findings;
   cancellation_ = &context.cancellation;
-  process_->connect(log_, cancellation_);
+  process_->connect(log_, findings_, cancellation_);
   const ContextMessage message = ContextMessage::of(context);
   return call(Call::Configure, std::tie(message), std::tuple<>());
 }
@@ -218,7 +219,7 @@ Status RemotePlugin::repeat(const std::vector<RecordedCall>& calls) {
 Status RemotePlugin::startAndRestore() {
   created_ = false;
   auto refusal = load();
-  process_->connect(nullptr, cancellation_);  // the repeated calls were logged before
+  process_->connect(nullptr, nullptr, cancellation_);  // the repeated calls were logged before
   if (!refusal) refusal = create();
   if (refusal) {
     if (refusal->id == kChanged) restart_enabled_ = false;
@@ -237,7 +238,7 @@ Status RemotePlugin::restart() {
   const Status status = startAndRestore();
   if (!status.isOk()) return process_->end("could not be restored: " + status.message());
   process_->recordRequests();
-  process_->connect(log_, cancellation_);
+  process_->connect(log_, findings_, cancellation_);
   state_lost_ = !has_state_;
   log_->warning(
       fmt::format("a new process was started (restart {} of {})", restarts_, kMaxRestarts));

@@ -80,6 +80,7 @@ class RemotePlugin {
   bool has_arrays_ = false;
   bool has_state_ = false;
   Logger* log_ = nullptr;
+  FindingCollector* findings_ = nullptr;
   const Cancellation* cancellation_ = nullptr;
   bool restart_enabled_ = false;
   int restarts_ = 0;

@@ -71,12 +71,6 @@ class RemoteSource final : public RemoteRole<Source> {
   using RemoteRole::RemoteRole;
   Status info(SourceInfo& info) override { return ask(Call::Info, kNone, std::tie(info)); }
   Status next(Frame& frame) override { return ask(Call::Next, kNone, std::tie(frame)); }
-  Status inspect(std::vector<Finding>& findings) override {
-    std::vector<Finding> found;
-    const Status status = ask(Call::Inspect, kNone, std::tie(found));
-    findings.insert(findings.end(), found.begin(), found.end());
-    return status;
-  }
 };
 
 class RemoteOdometry final : public RemoteRole<Odometry> {

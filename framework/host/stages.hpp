@@ -52,9 +52,6 @@ class SourceStage : public Stage<Source> {
   /// Checks that frames are 0, 1, 2, ..., stamps increase, true poses were announced by info(),
   /// images fit the rig (frame_images.hpp), and arrays keep their shapes.
   Status next(Frame& frame);
-  Status inspect(std::vector<Finding>& findings) {
-    return call("inspect", -1, &Source::inspect, findings);
-  }
   /// Sets the next frame: after reset() the defaults, after load() those of the saved state.
   void resetChecks(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
   /// The host's index of the first frame of this session; the plugin counts from 0.

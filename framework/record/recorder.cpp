@@ -62,7 +62,9 @@ std::string rowsFrom(const Table& table, const std::string& next, const std::str
     return "\"announced_at\" >= " + next +
            " OR (\"announced_at\" IS NULL AND \"frame\" >= " + first + ")";
   }
-  return has("frame") ? "\"frame\" >= " + next : "";
+  const std::string before_frames =  // configure() finds them again
+      table.name == RecordedFinding::kRecord ? " OR \"frame\" < 0" : "";
+  return has("frame") ? "\"frame\" >= " + next + before_frames : "";
 }
 
 Database createDatabase(const std::filesystem::path& file, const std::string& run_id) {
@@ -283,6 +285,12 @@ Status Recorder::event(std::int64_t frame, LogLevel level, std::string_view sour
   return write([&] {
     store_.insert(RecordedEvent{{frame, level, std::string(source), std::string(message)},
                                 std::chrono::nanoseconds(now).count()});
+  });
+}
+
+Status Recorder::findings(const std::vector<RecordedFinding>& findings) {
+  return write([&] {
+    for (const RecordedFinding& finding : findings) store_.insert(finding);
   });
 }
 

@@ -63,6 +63,7 @@ class Recorder {
   Status timing(std::int64_t frame, std::string_view stage, std::int64_t duration_ns);
   Status event(std::int64_t frame, LogLevel level, std::string_view source,
                std::string_view message);
+  Status findings(const std::vector<RecordedFinding>& findings);
   Status meta(std::string_view key, std::string_view value);
   /// Commits all rows so far, so that they are kept if the process is killed.
   Status commit();

@@ -122,6 +122,20 @@ struct RecordedEvent : RunEvent {
   }
 };
 
+/// A finding of a stage, and the frame at which it was made.
+struct RecordedFinding : Finding {
+  static constexpr const char* kRecord = "finding";
+  std::int64_t frame = -1;
+  std::string stage;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame, -1 for findings before the first");
+    TOLMAN_FIELD(stage, "", "name of the stage");
+    Finding::fields(self, visit);
+  }
+};
+
 RecordedArrayInfo toRow(const ArrayInfo& info);
 /// BadRow where `axes` is not the JSON that toRow() writes.
 ArrayInfo fromRow(const RecordedArrayInfo& row);

@@ -73,6 +73,7 @@ std::vector<Table> schema() {
                            ", PRIMARY KEY (\"frame\", \"source\", \"name\")" + frameReference()),
       table<RecordedTiming>("computing time of each stage and frame", ""),
       table<RecordedEvent>("warnings, errors and notes", ""),
+      table<RecordedFinding>("what the stages found in their data", ""),
   };
 }
 

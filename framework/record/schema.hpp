@@ -11,7 +11,7 @@
 
 namespace tolman::record {
 
-inline constexpr std::int64_t kSchemaVersion = 4;
+inline constexpr std::int64_t kSchemaVersion = 5;
 
 struct Table {
   std::string name;

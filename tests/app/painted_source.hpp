@@ -95,7 +95,6 @@ class Painted : public Source, public ArrayDescriptions {
     if (parameters_.depth && !parameters_.forget_depth) frame.sensors.push_back(depth(frame.frame));
     return Status::ok();
   }
-  Status inspect(std::vector<Finding>&) override { return Status::ok(); }
   Status describe(std::vector<ArrayInfo>& arrays) const override {
     ArrayInfo depth;
     depth.name = "depth.left";

@@ -30,6 +30,7 @@ TEST_CASE("The resolved configuration has every value, defaults included") {
   REQUIRE(system.complaints() == "");
   CHECK(resolved(system) == R"(continue: ""
 name: whole
+on_findings: stop
 seed: 7
 threads: 0
 pipeline:

@@ -235,8 +235,8 @@ void writeAnswers(const fs::path& folder) {
   writeAnswer(folder, "graph", 5, smallGraph());
   writeAnswer(folder, "info", 6, smallRun().source);
   writeAnswer(folder, "revisions", 7, motionWithPoints().revisions);
-  writeAnswer(folder, "inspect", 8,
-              std::vector<Finding>{{Finding::Severity::Note, "file:1", "fine"}});
+  writeAnswer(folder, "finding", 8,
+              isolation::textOf({Finding::Severity::Note, "file:1", "fine", "", {}}));
   writeAnswer(folder, "arrays", 9, arrays);
   writeAnswer(folder, "describe", 10, smallRun().arrays);
   writeAnswer(folder, "save", 11, std::string("state"));
@@ -316,7 +316,7 @@ void writeDatabase(const fs::path& file, const std::string& sql) {
   fuzz::require(sqlite3_open(made.c_str(), &database) == SQLITE_OK, "no database");
   const std::string all =
       "PRAGMA page_size = 512; PRAGMA journal_mode = OFF; CREATE TABLE run (key, value); INSERT "
-      "INTO run VALUES ('schema_version', '4'), ('name', 'a run');" +
+      "INTO run VALUES ('schema_version', '5'), ('name', 'a run');" +
       sql;
   fuzz::require(sqlite3_exec(database, all.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK,
                 "a wrong statement");

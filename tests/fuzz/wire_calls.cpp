@@ -24,7 +24,6 @@ class Quiet final : public Source,
   Status reset() override { return Status::ok(); }
   Status info(SourceInfo&) override { return Status::ok(); }
   Status next(Frame&) override { return Status::endOfStream(); }
-  Status inspect(std::vector<Finding>&) override { return Status::ok(); }
   Status track(const Frame& frame, Motion& motion) override {
     motion.frame = frame.frame;
     return Status::ok();

@@ -32,6 +32,15 @@ TEST_CASE("the gate lets through what fits, and older minors") {
   CHECK_FALSE(checkGate(manifest, kHost));
 }
 
+TEST_CASE("minors of an unreleased SDK do not fit each other") {
+  Manifest manifest = fitting();
+  HostIdentity host = kHost;
+  manifest.sdk_major = host.sdk_major = 0;
+  CHECK_FALSE(checkGate(manifest, host));
+  manifest.sdk_minor = 3;
+  CHECK(checkGate(manifest, host)->id == "plugin/sdk-minor");
+}
+
 TEST_CASE("the gate's refusals are golden") {
   Manifest manifest = fitting();
   SECTION("another major") {
@@ -44,7 +53,7 @@ TEST_CASE("the gate's refusals are golden") {
     manifest.sdk_minor = 5;
     CHECK(checkGate(manifest, kHost)->text() ==
           "[plugin/sdk-minor] plugin 'p' (p.so) was built for SDK 1.5; this host has SDK 1.4\n"
-          "  remedy: update Tolman, or rebuild the plugin against the older SDK");
+          "  remedy: rebuild the plugin against this SDK, or use the Tolman that it was built for");
   }
   SECTION("other flags") {
     manifest.fingerprint = "gcc align32 sanitizer-none";

@@ -32,7 +32,6 @@ struct BackwardSource : Source {
     info.rig = {64, 48, true, {-180, 180, 31.5, 23.5}, 0.5};
     return Status::ok();
   }
-  Status inspect(std::vector<Finding>&) override { return Status::ok(); }
   Status next(Frame&) override { return Status::endOfStream(); }
 };
 

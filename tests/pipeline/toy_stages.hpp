@@ -40,7 +40,6 @@ struct ToySource : Source {
   Status configure(const Context&) override { return Status::ok(); }
   Status reset() override { return Status::ok(); }
   Status info(SourceInfo&) override { return Status::ok(); }
-  Status inspect(std::vector<Finding>&) override { return Status::ok(); }
   Status next(Frame& frame) override {
     if (index == hooks.frames) return Status::endOfStream();
     frame.frame = index++;

@@ -150,7 +150,7 @@ TEST_CASE("timing, events and meta values are stored; a closed recorder refuses"
   const auto reader = RunReader::open(folder.path()).value();
   CHECK(reader->timing().value().at("odometry") == std::vector<std::int64_t>{5, 7});
   CHECK(reader->meta().value().at("name") == "two");
-  CHECK(reader->meta().value().at("schema_version") == "4");
+  CHECK(reader->meta().value().at("schema_version") == "5");
   // A closed run is one plain file.
   CHECK_FALSE(std::filesystem::exists(folder.path() / "run.sqlite-wal"));
 }

@@ -11,21 +11,20 @@
 
 namespace tolman::test {
 
-class TestContext : Logger, ArtefactWriter, Cancellation, Clock {
+class TestContext : Logger, FindingCollector, ArtefactWriter, Cancellation, Clock {
  public:
   /// `parameters` as the host would give them: checked; absent ones keep the declared default.
   explicit TestContext(ParameterValues values = {}, std::uint64_t seed = 1)
       : parameters_(std::move(values)), seed_(seed) {}
 
   operator Context() {  // NOLINT: a test context is a context
-    return {parameters_, *this, *this, *this, *this, rig, seed_, "test", interactive, quiet};
+    return {parameters_, *this, *this, *this, *this, *this, rig, seed_, "test"};
   }
 
   std::vector<std::string> log;
+  std::vector<Finding> findings;
   std::map<std::string, std::string> artefacts;
   CameraRig rig;
-  bool interactive = false;
-  bool quiet = false;
   std::int64_t now_ns = 0;
   std::atomic<bool> cancelled = false;  // as in a run: other threads ask for it
 
@@ -36,6 +35,7 @@ class TestContext : Logger, ArtefactWriter, Cancellation, Clock {
         std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return Status::ok();
   }
+  void add(Finding finding) override { findings.push_back(std::move(finding)); }
   bool requested() const override { return cancelled; }
   std::int64_t steadyNs() const override { return now_ns; }
 

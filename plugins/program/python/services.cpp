@@ -22,6 +22,14 @@ py::object logOf(Logger& log) {
   return made;
 }
 
+py::object collectorOf(FindingCollector& findings) {
+  return py::cpp_function([&findings](py::handle value) {
+    Finding finding;
+    fromPython(value, finding, "the finding");
+    findings.add(std::move(finding));
+  });
+}
+
 py::object writerOf(ArtefactWriter& artefacts) {
   return py::cpp_function([&artefacts](const std::string& name, const py::object& content) {
     // Text with lone surrogates has no UTF-8: encode() raises an error that names the first one.
@@ -37,6 +45,7 @@ py::object writerOf(ArtefactWriter& artefacts) {
 py::object servicesOf(const Context& context) {
   py::dict services;
   services["log"] = logOf(context.log);
+  services["add_finding"] = collectorOf(context.findings);
   services["write_artefact"] = writerOf(context.artefacts);
   services["rig"] = toPython(context.rig);
   services["seed"] = py::int_(context.seed);

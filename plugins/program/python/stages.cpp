@@ -23,14 +23,6 @@ class PythonSource final : public PythonStage<Source> {
     });
     return ended ? Status::endOfStream() : status;
   }
-  Status inspect(std::vector<Finding>& findings) override {
-    if (!object()) return Status::ok();  // after a failed configure()
-    return work("inspect", [&] {
-      std::vector<Finding> more;
-      answer(more, "inspect");
-      findings.insert(findings.end(), more.begin(), more.end());
-    });
-  }
 };
 
 class PythonOdometry final : public PythonStage<Odometry> {

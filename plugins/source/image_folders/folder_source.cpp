@@ -21,11 +21,9 @@ Status FolderSource::configure(const Context& context) {
   next_frame_ = 0;
   ready_ = load(context.parameters, parameters_, dataset_, inspection_);
   if (ready_.isOk()) ready_ = inspection_.status();
+  for (const Finding& finding : inspection_.findings()) context.findings.add(finding);
   if (!ready_.isOk()) return ready_;
   used_bits_ = source_parameters::UsedBits(parameters_.bits);
-  for (const Finding& warning : inspection_.findings()) {  // errors are in ready_
-    context.log.warning(warning.where + ": " + warning.message);
-  }
   Result<FrameSequence> sequence = FrameSequence::make(parameters_, dataset_.stamps_ns);
   ready_ = sequence.status();
   if (sequence.isOk()) sequence_ = std::move(sequence).value();

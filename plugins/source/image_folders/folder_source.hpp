@@ -54,7 +54,7 @@ class FolderSource : public Source, public RawRigSource, public ArrayDescription
   Status rawRig(RawRig& rig) final;
   Status describe(std::vector<ArrayInfo>& arrays) const final;
   /// Reads every image file once: seconds for thousands of images.
-  Status inspect(std::vector<Finding>& findings) final;
+  Status inspect(std::vector<Finding>& findings);
 
  protected:
   /// Binds the parameters, copies the shared ones to `shared`, and reads the data set as far as

@@ -38,7 +38,7 @@ Status MotionLog::configure(const Context& context) {
   parameters_ = bound.value();
   ready_ = load();
   for (const auto& [file, text] : doubts_) {
-    context.log.warning(std::string(file).append(": ").append(text));
+    context.findings.add({Finding::Severity::Warning, file, text});
   }
   return ready_;
 }
@@ -187,21 +187,6 @@ Status MotionLog::describe(std::vector<ArrayInfo>& arrays) const {
   add("place.candidate", "similar earlier frames and their pose", {candidate, component});
   add("place.looked", "1 where the loop detector ran, else 0", {value});
   add("motion.drive", "hash of the odometry", {value});
-  return Status::ok();
-}
-
-Status MotionLog::inspect(std::vector<Finding>& findings) {
-  if (!ready_.isOk()) {
-    findings.push_back({Finding::Severity::Error, parameters_.path, ready_.message()});
-    return Status::ok();
-  }
-  for (const auto& [file, text] : doubts_) {
-    findings.push_back({Finding::Severity::Warning, file, text});
-  }
-  SourceInfo found;
-  if (Status status = info(found); !status.isOk()) return status;
-  findings.push_back({Finding::Severity::Note, parameters_.path,
-                      found.description + (truth_.empty() ? ", no truth" : ", with truth")});
   return Status::ok();
 }
 

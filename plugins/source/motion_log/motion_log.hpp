@@ -75,7 +75,6 @@ class MotionLog final : public Source, public ArrayDescriptions {
   Status reset() override;
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
-  Status inspect(std::vector<Finding>& findings) override;
   Status describe(std::vector<ArrayInfo>& arrays) const override;
 
  private:

@@ -8,7 +8,8 @@ Status RecordSource::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   path_ = bound.value().path;
   ready_ = reader_.open(path_);
-  if (!reader_.part().empty()) context.log.warning(path_ + ": " + reader_.part());
+  if (!reader_.part().empty())
+    context.findings.add({Finding::Severity::Warning, path_, reader_.part()});
   return ready_;
 }
 
@@ -31,20 +32,6 @@ Status RecordSource::next(Frame& frame) {
 
 Status RecordSource::describe(std::vector<ArrayInfo>& arrays) const {
   arrays.insert(arrays.end(), reader_.sensors().begin(), reader_.sensors().end());
-  return Status::ok();
-}
-
-Status RecordSource::inspect(std::vector<Finding>& findings) {
-  if (ready_.isOk()) {
-    findings.push_back({Finding::Severity::Note, path_,
-                        reader_.source().description + ", " + std::to_string(reader_.frames()) +
-                            " frames recorded"});
-    if (!reader_.part().empty()) {
-      findings.push_back({Finding::Severity::Warning, path_, reader_.part()});
-    }
-  } else {
-    findings.push_back({Finding::Severity::Error, path_, ready_.message()});
-  }
   return Status::ok();
 }
 

@@ -139,12 +139,4 @@ Status Ros1Source::convert(const std::string& topic, const std::string& type,
                              "; leave such out by on_corrupt: skip"};
 }
 
-Status Ros1Source::inspect(std::vector<Finding>& findings) {
-  SourceInfo found;
-  const Status status = info(found);
-  findings.push_back(status.isOk() ? Finding{Finding::Severity::Note, "", found.description}
-                                   : Finding{Finding::Severity::Error, "", status.message()});
-  return Status::ok();
-}
-
 }  // namespace tolman::ros1

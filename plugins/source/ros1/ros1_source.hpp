@@ -21,7 +21,6 @@ class Ros1Source final : public Source, public RawRigSource, public LiveSource {
   Status info(SourceInfo& info) override;
   Status rawRig(RawRig& rig) override;
   Status next(Frame& frame) override;
-  Status inspect(std::vector<Finding>& findings) override;
 
  private:
   Status prepare(const Context& context);

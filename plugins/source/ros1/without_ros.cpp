@@ -15,10 +15,6 @@ class SourceWithoutRos final : public Source, public LiveSource {
   Status reset() override { return missing(); }
   Status info(SourceInfo&) override { return missing(); }
   Status next(Frame&) override { return missing(); }
-  Status inspect(std::vector<Finding>& findings) override {
-    findings.push_back({Finding::Severity::Error, "", missing().message()});
-    return Status::ok();
-  }
 
  private:
   static Status missing() {

@@ -29,7 +29,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status next(Frame& frame) override;
   Status describe(std::vector<ArrayInfo>& arrays) const override;
   /// Lists the topics of the bag and its problems.
-  Status inspect(std::vector<Finding>& findings) override;
+  Status inspect(std::vector<Finding>& findings);
 
  private:
   Status prepare(const Context& context);

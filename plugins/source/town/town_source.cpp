@@ -315,29 +315,4 @@ Status TownSource::describe(std::vector<ArrayInfo>& arrays) const {
   return Status::ok();
 }
 
-Status TownSource::inspect(std::vector<Finding>& findings) {
-  const auto note = [&](Finding::Severity severity, const std::string& message) {
-    findings.push_back({severity, parameters_.route, message});
-  };
-  if (!ready_.isOk()) {
-    note(Finding::Severity::Error, std::string(ready_.message()));
-    return Status::ok();
-  }
-  double length = 0;
-  for (std::size_t i = 1; i < T_town_camera_.size(); ++i) {
-    length += (T_town_camera_[i].translation() - T_town_camera_[i - 1].translation()).norm();
-  }
-  double streets = 0;
-  for (const StreetSection& section : plan_->sections()) streets += section.points.back().s;
-  const auto metres = [](double m) { return std::to_string(std::lround(m)) + " m"; };
-  note(Finding::Severity::Note, std::to_string(T_town_camera_.size()) + " poses over " +
-                                    metres(length) + ", " + metres(streets) + " of streets in " +
-                                    std::to_string(plan_->sections().size()) + " sections, " +
-                                    std::to_string(scene_->triangles()) + " triangles");
-  if (is_levelled_) {
-    note(Finding::Severity::Note, "passes crossed at different heights; the poses were levelled");
-  }
-  return Status::ok();
-}
-
 }  // namespace tolman::town

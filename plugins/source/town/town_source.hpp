@@ -32,7 +32,6 @@ class TownSource final : public Source, public ArrayDescriptions {
   Status reset() override;
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
-  Status inspect(std::vector<Finding>& findings) override;
   /// Describes depth.left, if `depth` is set.
   Status describe(std::vector<ArrayInfo>& arrays) const override;
 

@@ -24,7 +24,7 @@ class VideoSource final : public Source {
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
   /// Decodes all pictures of a file.
-  Status inspect(std::vector<Finding>& findings) override;
+  Status inspect(std::vector<Finding>& findings);
 
  private:
   Status prepare(const Context& context);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the host passes to a plugin, so that it needs no globals: parameters, logger, artefact
-// writer, cancellation, clock, cameras, and the seed of its random streams.
+// What the host passes to a plugin, so that it needs no globals: parameters, logger, collector of
+// findings, artefact writer, cancellation, clock, cameras, and the seed of its random streams.
 #pragma once
 
 #include <array>
@@ -33,6 +33,46 @@ class Logger {
   void info(std::string_view message) { write(LogLevel::Info, message); }
   void warning(std::string_view message) { write(LogLevel::Warning, message); }
   void error(std::string_view message) { write(LogLevel::Error, message); }
+};
+
+/// Something in the data that their user should know, such as a damaged image.
+struct Finding {
+  static constexpr const char* kRecord = "finding";
+  enum class Severity : std::uint8_t { Note, Warning, Error };
+  static constexpr std::array<std::string_view, 3> kSeverityNames = {"note", "warning", "error"};
+  friend constexpr std::span<const std::string_view> enumNames(Severity) { return kSeverityNames; }
+  enum class Kind : std::uint8_t { Unusual, Damaged, Contradiction };
+  static constexpr std::array<std::string_view, 3> kKindNames = {"unusual", "damaged",
+                                                                 "contradiction"};
+  friend constexpr std::span<const std::string_view> enumNames(Kind) { return kKindNames; }
+
+  Severity severity = Severity::Note;
+  std::string where;     ///< file, with :line where there is one
+  std::string message;   ///< what was found
+  std::string remedy{};  ///< what to do about it; empty for notes
+  Kind kind = Kind::Unusual;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(severity, "", "note, warning or error");
+    TOLMAN_FIELD(where, "", "file, with the line where there is one");
+    TOLMAN_FIELD(message, "", "what was found");
+    TOLMAN_FIELD(remedy, "", "what to do about it");
+    TOLMAN_FIELD(kind, "", "unusual, damaged or contradiction");
+  }
+};
+
+/// Takes what a plugin finds in its data. The plugin adds a finding and goes on with what it can
+/// use; the host records all findings, prints each kind of them once with their number, and stops
+/// the run after an error unless the configuration has `on_findings: continue`. Return a failed
+/// Status only where nothing can be used. Callable from any thread.
+///
+/// Error: data are left out, or contradict each other so that results could be wrong.
+/// Warning: the data are used, and somebody should look at them. Note: for information.
+class FindingCollector {
+ public:
+  virtual ~FindingCollector() = default;
+  virtual void add(Finding finding) = 0;
 };
 
 /// Whether the run was asked to stop (an interrupt). Long loops should poll it. Callable from any
@@ -115,16 +155,13 @@ class RandomStream {
 struct Context {
   const ParameterValues& parameters;  ///< complete and checked; see bindParameters()
   Logger& log;
+  FindingCollector& findings;
   ArtefactWriter& artefacts;
   const Cancellation& cancellation;
   const Clock& clock;
   CameraRig rig;         ///< of the source; empty for the source itself
   std::uint64_t seed;    ///< for RandomStream; the same after reset()
   std::string instance;  ///< the name of this stage in the configuration, e.g. "odometry"
-  // Deprecated since SDK 0.2: an observer looks at the terminal itself, isatty(STDERR_FILENO), and
-  // declares a parameter `quiet`, which --quiet sets.
-  bool interactive = false;
-  bool quiet = false;
 };
 
 }  // namespace tolman

@@ -40,7 +40,6 @@ struct PluginObject {
   Plugin* plugin = nullptr;
   ArraySource* arrays = nullptr;
   StateKeeper* state = nullptr;
-  // Since SDK 0.2; a plugin built for 0.1 leaves the memory behind `state` untouched.
   ArrayDescriptions* descriptions = nullptr;
   PageServer* page = nullptr;
   RawRigSource* raw_rig = nullptr;

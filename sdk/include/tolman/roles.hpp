@@ -55,24 +55,6 @@ class Plugin {
   virtual Status reset() = 0;
 };
 
-/// One result of Source::inspect(), which checks a data set before it is used.
-struct Finding {
-  static constexpr const char* kRecord = "finding";
-  enum class Severity : std::uint8_t { Note, Warning, Error };
-  static constexpr std::array<std::string_view, 3> kSeverityNames = {"note", "warning", "error"};
-  friend constexpr std::span<const std::string_view> enumNames(Severity) { return kSeverityNames; }
-  Severity severity = Severity::Note;
-  std::string where;    ///< file, with :line where there is one
-  std::string message;  ///< what was found, and for problems what to do
-
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(severity, "", "note, warning or error");
-    TOLMAN_FIELD(where, "", "file, with the line where there is one");
-    TOLMAN_FIELD(message, "", "what was found, and for problems what to do");
-  }
-};
-
 /// Description of the data, given before the first frame.
 struct SourceInfo {
   static constexpr const char* kRecord = "source_info";
@@ -91,17 +73,15 @@ struct SourceInfo {
 };
 
 /// Gives frames in the order of time, and the rig that took them. configure() checks the data as
-/// far as is possible without decoding them, so that errors come before frame 0.
+/// far as is possible without decoding them, so that findings (Context::findings) come before frame
+/// 0: counts, calibration, times, truth.
 class Source : public Plugin {
  public:
   virtual Status info(SourceInfo& info) = 0;
-  /// Fills the next frame; Status::endOfStream() after the last. An image that cannot be read is
-  /// InvalidInput with file and remedy, or, where the source's parameters allow it, a frame with an
-  /// empty image and `defect` set. stamp_ns increases strictly; all images have one size.
+  /// Fills the next frame; Status::endOfStream() after the last. Where an image cannot be read, add
+  /// an error to Context::findings and give a frame with empty images and `defect` set. stamp_ns
+  /// increases strictly; all images have one size.
   virtual Status next(Frame& frame) = 0;
-  /// Appends results of checking the data: counts, calibration, times, truth. Also called after a
-  /// failed configure(), and then explains the failure.
-  virtual Status inspect(std::vector<Finding>& findings) = 0;
 };
 
 /// Estimates motion from images (or replays it).

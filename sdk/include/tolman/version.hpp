@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #define TOLMAN_SDK_MAJOR 0
-#define TOLMAN_SDK_MINOR 2
+#define TOLMAN_SDK_MINOR 3
 
 #define TOLMAN_STRINGIFY_(x) #x
 #define TOLMAN_STRINGIFY(x) TOLMAN_STRINGIFY_(x)

@@ -93,7 +93,7 @@ def make(cls, services, values):
         setattr(made, name, value)
     made.log, made.rig, made.seed, made.name = services["log"], services["rig"], services["seed"], services["name"]
     made.rng = np.random.Generator(np.random.PCG64(services["seed"]))
-    made.write_artefact = services["write_artefact"]
+    made.write_artefact, made.add_finding = services["write_artefact"], services["add_finding"]
     made.start()
     return made
 
@@ -106,7 +106,7 @@ def load(made, content):
     vars(made).update(_state.load(content, type(made).__module__))
 
 
-_GIVEN = ("log", "rig", "seed", "name", "write_artefact")  # by the host, and no part of the state
+_GIVEN = ("log", "rig", "seed", "name", "write_artefact", "add_finding")  # by the host, and no part of the state
 
 
 def status_name(error):

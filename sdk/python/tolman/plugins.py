@@ -54,6 +54,9 @@ class Plugin:
     def start(self):
         """Prepares the state of a run."""
 
+    def add_finding(self, finding):
+        """Reports a Finding: an error is left out and stops the run, unless it has `on_findings: continue`."""
+
     def write_artefact(self, name, content):
         """Writes bytes or text to artefacts/STAGE/NAME of the run directory."""
 
@@ -68,10 +71,6 @@ class Source(Plugin):
     def next(self):
         """The next Frame, None after the last."""
         raise NotImplementedError("a source has next(), which returns a Frame, or None at the end")
-
-    def inspect(self):
-        """A list of Finding: what a look at the data shows."""
-        return []
 
 
 class Odometry(Plugin):

@@ -172,11 +172,13 @@ class MapGraph:
 
 @dataclass(slots=True)
 class Finding:
-    """One result of looking at a data set."""
+    """Something in the data that their user should know."""
 
     severity: str = "note"  # or warning, error
     where: str = ""
     message: str = ""
+    remedy: str = ""
+    kind: str = "unusual"  # or damaged, contradiction
 
 
 @dataclass(slots=True)

@@ -114,14 +114,11 @@ TEST_CASE("the file is named, of the truth as well, by run and by check") {
       {{"path", folder.path().string()}, {"candidates", std::string()}, {"rate", kRate}});
   MotionLog source;
   REQUIRE(source.configure(context).isOk());
-  REQUIRE(context.log.size() == 1);
+  REQUIRE(context.findings.size() == 1);
   const std::string truth = (folder.path() / "ground_truth.g2o").string();
-  CHECK(context.log[0].starts_with(truth + ": 60 of 600 steps turn faster"));
-  std::vector<Finding> findings;
-  REQUIRE(source.inspect(findings).isOk());
-  REQUIRE(findings.size() == 2);
-  CHECK(findings[0].severity == Finding::Severity::Warning);
-  CHECK(findings[0].where == truth);
+  CHECK(context.findings[0].message.starts_with("60 of 600 steps turn faster"));
+  CHECK(context.findings[0].severity == Finding::Severity::Warning);
+  CHECK(context.findings[0].where == truth);
 }
 
 TEST_CASE("KITTI's loop candidates, as they are and in other units", "[data]") {
@@ -157,9 +154,10 @@ TEST_CASE("doubts of candidates name their file") {
   test::TestContext context({{"path", folder.path().string()}, {"rate", kRate}});
   MotionLog source;
   REQUIRE(source.configure(context).isOk());
-  REQUIRE(context.log.size() == 1);
-  CHECK(context.log[0].starts_with((folder.path() / "loop_candidates.g2o").string() +
-                                   ": 10 of 10 loop candidates with a length lead further"));
+  REQUIRE(context.findings.size() == 1);
+  CHECK((context.findings[0].where + ": " + context.findings[0].message)
+            .starts_with((folder.path() / "loop_candidates.g2o").string() +
+                         ": 10 of 10 loop candidates with a length lead further"));
 }
 
 }  // namespace tolman::motion_log
