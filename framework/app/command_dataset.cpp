@@ -6,7 +6,6 @@
 #include <iostream>
 
 #include "app/options.hpp"
-#include "app/recording.hpp"
 #include "config/values.hpp"
 #include "engine/assembly.hpp"
 #include "engine/findings.hpp"
@@ -41,8 +40,8 @@ std::string sourceOf(const CheckCommand& command) {
   if (!std::filesystem::exists(path)) {
     fail(ExitCode::Dataset, path + ": " + config::absence(path, "no such file or folder"));
   }
-  const std::vector<std::string> sources = sourcesFor(std::filesystem::canonical(path));
-  if (!sources.empty()) return sources.front();
+  const std::string source = sourceFor(std::filesystem::canonical(path));
+  if (!source.empty()) return source;
   fail(ExitCode::Dataset, path +
                               ": its layout is not known; name its source with --source "
                               "(`tolman plugins list`)");

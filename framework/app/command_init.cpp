@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "app/options.hpp"
-#include "app/recording.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {

@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "app/json_schema.hpp"
 #include "app/options.hpp"
 #include "app/parameter_text.hpp"
 #include "engine/assembly.hpp"

@@ -23,27 +23,6 @@ struct RenderCommand {
   bool depth = false;
 };
 
-[[noreturn]] void refuseDepth(const std::string& plugin) {
-  throw run::Failed(
-      {run::FailureKind::Configuration,
-       "source plugin '" + plugin +
-           "' has no parameter 'depth', so it gives no depth maps; leave out --depth, or choose "
-           "a source that has it ('tolman plugins describe ID' lists parameters)"});
-}
-
-/// The source stage alone; `depth` sets its parameter of that name.
-run::CheckedSystem checkSource(run::SystemOptions options, bool depth) {
-  auto checked = run::require(run::checkSystem(options, run::Scope::Source));
-  if (!depth) return checked;
-  const host::LoadedPlugin& plugin = checked.plugins.front();
-  const bool declared = std::ranges::any_of(plugin.schema, [](const ParameterInfo& p) {
-    return p.name == "depth" && p.type == ParameterType::Bool;
-  });
-  if (!declared) refuseDepth(plugin.manifest.id);
-  options.overrides.emplace_back("source.depth=true");
-  return run::require(run::checkSystem(options, run::Scope::Source));
-}
-
 /// Whether the source reads from `out`. Such a folder must not be replaced.
 bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& out) {
   const ParameterValues& values = system.values.at(system.config.stages.front().instance);
@@ -85,11 +64,11 @@ void print(const dataset::RenderOutcome& outcome, const std::string& out, bool c
       "calib.txt", out);
 }
 
-ExitCode execute(RenderCommand command, const run::SystemOptions& system,
-                 const Invocation& invocation) {
+ExitCode execute(RenderCommand command, run::SystemOptions system, const Invocation& invocation) {
   const std::string& out = command.out.path;
   const run::Interrupts interrupts;  // before anything that starts threads
-  run::CheckedSystem checked = checkSource(system, command.depth);
+  if (command.depth) system.overrides.emplace_back("source.depth=true");
+  auto checked = run::require(run::checkSystem(system, run::Scope::Source));
   if (readsFrom(checked, out)) {
     fail(ExitCode::Record, out + ": the source reads from there; choose another --out");
   }
@@ -104,7 +83,9 @@ ExitCode execute(RenderCommand command, const run::SystemOptions& system,
     std::vector<ArrayInfo> arrays;
     run::require(assembly.source().instance().describe(arrays), run::FailureKind::Dataset);
     command.render.depth = dataset::depthArray(arrays);
-    if (command.render.depth.empty()) refuseDepth(assembly.system().plugins.front().manifest.id);
+    if (command.render.depth.empty()) {
+      fail(ExitCode::Dataset, "the source gives no depth maps; leave out --depth");
+    }
   }
   const auto folder = run::require(dataset::KittiFolder::create(out, command.out.replace),
                                    run::FailureKind::Record);
@@ -143,7 +124,7 @@ void addRenderCommand(CLI::App& dataset, Invocation& invocation) {
       ->check(positive);
   command.add_flag("--depth", render->depth, "Write depth maps too (16 bits, m * 256)");
   command.callback([reader, render, &invocation] {
-    invocation.exit_code = execute(*render, reader->read(invocation), invocation);
+    invocation.exit_code = execute(*render, reader->read(invocation, Use::Copy), invocation);
   });
 }
 

@@ -8,7 +8,6 @@
 
 #include "app/options.hpp"
 #include "app/progress_line.hpp"
-#include "app/sweep_commands.hpp"
 #include "experiment/job_files.hpp"
 #include "experiment/local_jobs.hpp"
 #include "experiment/planner.hpp"

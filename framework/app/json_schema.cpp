@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/json_schema.hpp"
-
 #include <array>
 #include <cmath>
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <system_error>
 
-#include "app/png_encoder.hpp"
 #include "record/output_places.hpp"
 #include "record/pose_files.hpp"
 

@@ -22,6 +22,14 @@ struct DriveLog {
   bool hasTruth() const { return !stamps_ns.empty() && truth.size() == stamps_ns.size(); }
 };
 
+/// 8 bits a channel; the image must not be empty.
+Result<std::string> encodePng(const Image& image);
+
+/// 16 bits, metres * 256, as in KITTI's depth maps. 0 means no depth: also for values below half a
+/// step or above the range of 16 bits (256 m). `depth` is in metres; InvalidInput if its shape is
+/// not {height, width}.
+Result<std::string> encodeDepthPng(const NamedArray& depth);
+
 /// P0 to P3; the right cameras have -fx * baseline.
 std::string calibrationText(const CameraRig& rig);
 /// Seconds, exact to the nanosecond, one line per image.

@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 
-#include "app/recording.hpp"
 #include "config/values.hpp"
 #include "record/atomic_file.hpp"
 #include "record/output_places.hpp"
@@ -130,7 +129,7 @@ void SystemOptionsReader::addContinue() {
   }
 }
 
-run::SystemOptions SystemOptionsReader::read(const Invocation& invocation) const {
+run::SystemOptions SystemOptionsReader::read(const Invocation& invocation, Use use) const {
   if (config_.empty() && resume_.empty()) {
     throw CLI::RequiredError("a configuration, or --resume,");
   }
@@ -139,7 +138,7 @@ run::SystemOptions SystemOptionsReader::read(const Invocation& invocation) const
                              invocation.plugin_paths};
   options.quiet = invocation.quiet;
   options.find_shipped = shippedConfig;
-  if (resume_.empty()) options = withRecording(std::move(options), invocation);
+  if (resume_.empty()) options = withRecording(std::move(options), invocation, use);
   addValue("seed", seed_, options.overrides);
   addValue("threads", threads_, options.overrides);
   if (!continue_.empty()) options.overrides.push_back("continue=" + config::writeText(continue_));

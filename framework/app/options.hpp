@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/program.hpp"
+#include "app/recording.hpp"
 #include "engine/checked_system.hpp"
 
 namespace tolman::app {
@@ -79,7 +80,7 @@ class SystemOptionsReader {
 
   /// The run directory that --resume names; empty when there is none.
   const std::string& resumed() const { return resume_; }
-  run::SystemOptions read(const Invocation& invocation) const;
+  run::SystemOptions read(const Invocation& invocation, Use use = Use::Run) const;
 
  private:
   void addValue(const std::string& name, const std::string& value,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/png_encoder.hpp"
-
+// Images and depth maps as PNG bytes, fast rather than small.
 #include <png.h>
 
 #include <cmath>
 #include <vector>
+
+#include "app/kitti_folder.hpp"
 
 namespace tolman::dataset {
 namespace {

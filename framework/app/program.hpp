@@ -97,6 +97,7 @@ void addReportCommand(CLI::App& app, Invocation& invocation);
 void addViewCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);
 void addSweepCommand(CLI::App& app, Invocation& invocation);
+void addSweepCommands(CLI::App& sweep, Invocation& invocation);  // below `sweep`
 void addCompareCommand(CLI::App& app, Invocation& invocation);
 void addRerunCommand(CLI::App& app, Invocation& invocation);
 

@@ -139,6 +139,11 @@ class Search {
     given_.insert(given_.begin(), {"path", config::writeText(path.string())});
   }
 
+  const ParameterInfo* declared(std::string_view name) const {
+    const auto found = std::ranges::find(plugin_.schema, name, &ParameterInfo::name);
+    return found == plugin_.schema.end() ? nullptr : &*found;
+  }
+
   Result<Recording> run() {
     Result<Recording> found = probe(given_);
     if (!found.isOk() && may("rate")) {
@@ -159,11 +164,6 @@ class Search {
   static SourceValues with(SourceValues values, const SourceValues& more) {
     values.insert(values.end(), more.begin(), more.end());
     return values;
-  }
-
-  const ParameterInfo* declared(std::string_view name) const {
-    const auto found = std::ranges::find(plugin_.schema, name, &ParameterInfo::name);
-    return found == plugin_.schema.end() ? nullptr : &*found;
   }
 
   /// Whether the source has this parameter, and the user does not give it.
@@ -342,7 +342,7 @@ bool Recording::isGiven(std::string_view parameter) const {
   return std::ranges::any_of(values, [&](const auto& value) { return value.first == parameter; });
 }
 
-std::vector<std::string> sourcesFor(const fs::path& recording) {
+std::string sourceFor(const fs::path& recording) {
   Names names = {recording.filename().string()};
   std::error_code error;
   for (fs::directory_iterator at(recording, error), end; !error && at != end; at.increment(error)) {
@@ -350,41 +350,43 @@ std::vector<std::string> sourcesFor(const fs::path& recording) {
   }
   const config::Loaded layouts =
       config::load(configFile("configs/init/layouts.yaml"), {}, config::processEnvironment());
-  Names sources;
   for (const config::Node& source : layouts.tree.children) {
     const auto met = [&](const config::Node& line) { return isMet(line.text, names); };
-    if (std::ranges::any_of(source.children, met)) sources.push_back(source.key);
+    if (std::ranges::any_of(source.children, met)) return source.key;
   }
-  return sources;
+  return "";
 }
 
 Recording lookAt(const fs::path& recording, const SourceValues& given,
                  const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
-  Names sources = sourcesFor(recording);
-  sources.resize(std::min<std::size_t>(sources.size(), 1));
-  SourceValues values = given;
-  std::erase_if(values, [&](const auto& value) {
-    if (value.first == "plugin") sources = {value.second};
-    return value.first == "plugin";
-  });
-  if (sources.empty()) {
-    for (const host::Manifest& manifest : catalogue.manifests()) {
-      if (manifest.role == Role::Source) sources.push_back(manifest.id);
+  std::string known = sourceFor(recording);
+  SourceValues values;
+  for (const auto& value : given) {
+    if (value.first == "plugin") {
+      known = value.second;
+    } else {
+      values.push_back(value);
     }
   }
   std::optional<Recording> best;
   std::string reasons;
-  for (const std::string& id : sources) {
+  const auto tryOne = [&](const std::string& id) {
     const host::LoadedPlugin plugin = run::loadFrom(catalogue, id, Role::Source);
-    if (std::ranges::find(plugin.schema, "path", &ParameterInfo::name) == plugin.schema.end()) {
-      continue;
-    }
-    Result<Recording> found = Search(recording, plugin, values, invocation).run();
+    Search search(recording, plugin, values, invocation);
+    if (search.declared("path") == nullptr) return;
+    Result<Recording> found = search.run();
     if (!found.isOk()) {
       reasons += "\n  " + id + ": " + found.status().message();
     } else if (!best || rankOf(found.value()) > rankOf(*best)) {
       best = std::move(found).value();
+    }
+  };
+  if (!known.empty()) {
+    tryOne(known);
+  } else {
+    for (const host::Manifest& manifest : catalogue.manifests()) {
+      if (manifest.role == Role::Source) tryOne(manifest.id);
     }
   }
   if (best) return *best;

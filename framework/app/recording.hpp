@@ -36,9 +36,9 @@ struct Recording {
   bool isGiven(std::string_view parameter) const;
 };
 
-/// The ids of the sources for this layout (configs/init/layouts.yaml), the best first; empty for an
-/// unknown one. Looks at names only.
-std::vector<std::string> sourcesFor(const std::filesystem::path& recording);
+/// The id of the source for this layout (configs/init/layouts.yaml); empty for an unknown one.
+/// Looks at names only.
+std::string sourceFor(const std::filesystem::path& recording);
 
 /// Reads the first frames with the source of the layout. Of an unknown layout every source that has
 /// a parameter `path` is tried. Where the source declares them, it also tries `rate`, `left` and
@@ -53,16 +53,20 @@ std::string guessCarrier(const Recording& recording);
 /// The file in configs/init with the stages for these images: hand_stereo.yaml
 std::string stagesFile(const Recording& recording, const std::string& carrier);
 
+/// What the configuration is for. A run takes fewer and smaller images of a fast or large camera.
+enum class Use : bool { Run, Copy };
+
 /// The configuration for the recording at `path`. An empty `carrier` is guessed; `stages` is the
 /// text of stagesFile().
 std::string initText(const std::filesystem::path& path, const Recording& recording,
-                     const std::string& carrier, const std::string& stages);
+                     const std::string& carrier, const std::string& stages, Use use = Use::Run);
 
 /// The same with what lookAt() finds.
 std::string configurationFor(const std::string& path, const SourceValues& given,
-                             const std::string& carrier, const Invocation& invocation);
+                             const std::string& carrier, const Invocation& invocation,
+                             Use use = Use::Run);
 
 /// If `options.config` is a recording, replaces it by the configuration for it.
-run::SystemOptions withRecording(run::SystemOptions options, const Invocation& invocation);
+run::SystemOptions withRecording(run::SystemOptions options, const Invocation& invocation, Use use);
 
 }  // namespace tolman::app

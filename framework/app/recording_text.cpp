@@ -101,7 +101,7 @@ std::string stagesFile(const Recording& r, const std::string& carrier) {
 }
 
 std::string initText(const fs::path& path, const Recording& r, const std::string& carrier,
-                     const std::string& stages) {
+                     const std::string& stages, Use use) {
   const std::string used = carrier.empty() ? guessCarrier(r) : carrier;
   std::string text = "# Written by `tolman init`. Run it with `tolman run FILE`.\n";
   text += "# " + r.description + "\n" + notKnown(r, used, carrier.empty());
@@ -113,7 +113,8 @@ std::string initText(const fs::path& path, const Recording& r, const std::string
   for (const auto& [key, value] : r.values) text += "  " + key + ": " + value + "\n";
   std::error_code ignored;
   const bool is_live = fs::is_other(path, ignored);
-  text += (is_live ? "" : stepText(r)) + scaleText(r);
+  if (!is_live && use == Use::Run) text += stepText(r);
+  if (use == Use::Run) text += scaleText(r);
   if (is_live) {
     text += "\npipeline:\n  mode: realtime               # frames that come too fast are dropped\n";
   }
@@ -121,7 +122,7 @@ std::string initText(const fs::path& path, const Recording& r, const std::string
 }
 
 std::string configurationFor(const std::string& path, const SourceValues& given,
-                             const std::string& carrier, const Invocation& invocation) {
+                             const std::string& carrier, const Invocation& invocation, Use use) {
   std::error_code error;
   const fs::path recording = fs::canonical(path, error);
   if (error) fail(ExitCode::Dataset, path + ": " + error.message());
@@ -132,17 +133,18 @@ std::string configurationFor(const std::string& path, const SourceValues& given,
   }
   const Recording found = lookAt(recording, given, invocation);
   const std::string used = carrier.empty() ? guessCarrier(found) : carrier;
-  return initText(recording, found, carrier, shippedText(stagesFile(found, used)));
+  return initText(recording, found, carrier, shippedText(stagesFile(found, used)), use);
 }
 
-run::SystemOptions withRecording(run::SystemOptions options, const Invocation& invocation) {
+run::SystemOptions withRecording(run::SystemOptions options, const Invocation& invocation,
+                                 Use use) {
   const fs::path given = options.config;
   const std::string ending = given.extension();
   std::error_code ignored;
   const bool is_folder = fs::is_directory(given, ignored);
   const bool is_yaml = !is_folder && (ending == ".yaml" || ending == ".yml");
   if (is_yaml || !fs::exists(given, ignored)) return options;
-  if (!is_folder && sourcesFor(given).empty()) return options;
+  if (!is_folder && sourceFor(given).empty()) return options;
   SourceValues values;
   for (const std::string& override : options.overrides) {
     constexpr std::string_view kSource = "source.";
@@ -151,7 +153,7 @@ run::SystemOptions withRecording(run::SystemOptions options, const Invocation& i
     values.emplace_back(override.substr(kSource.size(), equals - kSource.size()),
                         override.substr(equals + 1));
   }
-  const std::string text = configurationFor(given, values, "", invocation);
+  const std::string text = configurationFor(given, values, "", invocation, use);
   if (!invocation.quiet) std::cerr << text.substr(0, text.find("\nname: ") + 1);
   const int file = ::memfd_create("recording.yaml", 0);  // open until the process ends
   if (::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {

@@ -45,7 +45,7 @@ Result<std::string> resolvePath(const std::string& path, const Origin& origin,
                                 const BaseFolders& folders);
 
 /// What to say of a path at which nothing usable was found: `missing`, unless this user may not
-/// read it or enter a folder on the way, so that nobody can tell whether it is there.
+/// read it or enter a folder on the way, so that its existence is not known.
 std::string absence(const std::filesystem::path& path, const std::string& missing);
 
 /// Which parameters are checked.

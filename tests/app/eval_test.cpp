@@ -89,18 +89,6 @@ TEST_CASE("eval by frame warns of stamps by another clock") {
   CHECK(eval(truth, files.write("early.tum", true, 0, 1, 40)).err.empty());  // ends early
 }
 
-TEST_CASE("eval refuses a distance in time that is no number") {
-  const Files files;
-  const std::string truth = files.write("truth.tum", true);
-  for (const char* wrong : {"nan", "-nan", "inf", "-1", "1e999", "x", "0.1s"}) {
-    const Finished finished = eval(truth, truth, {"--max-difference", wrong});
-    CAPTURE(wrong);
-    CHECK(finished.exit_code == 2);
-    CHECK(contains(finished.err, "--max-difference: must be a number of at least 0"));
-  }
-  CHECK(eval(truth, truth, {"--max-difference", "0"}).exit_code == 0);
-}
-
 TEST_CASE("eval of a single pose tells no error of zero") {
   const Files files;
   const std::string truth = files.write("truth.tum", true);
@@ -134,16 +122,6 @@ TEST_CASE("eval of two poses under a free scale tells no error of zero, of few p
   CHECK(contains(few.err, "only 2 of 60 poses have a true pose at their time"));
 }
 
-TEST_CASE("eval reads files that begin with a byte order mark") {
-  const Files files;
-  for (const bool tum : {true, false}) {
-    const std::string plain = files.write("plain", tum);
-    const std::filesystem::path marked = files.folder.path() / "marked";
-    std::ofstream(marked) << "\xEF\xBB\xBF" << readText(plain);
-    CHECK(eval(plain, marked.string()).exit_code == 0);
-  }
-}
-
 TEST_CASE("eval refuses to guess which poses belong together") {
   const Files files;
   const std::string truth = files.write("truth.kitti", false);
@@ -168,24 +146,4 @@ TEST_CASE("eval warns of a truth that stands still") {
   CHECK(
       contains(eval(still, drive).out, "WARNING the truth stands still: the figures say nothing"));
   CHECK_FALSE(contains(eval(drive, still).out, "stands still"));
-}
-
-TEST_CASE("eval reads what comes through pipes") {
-  const Files files;
-  const std::string truth = files.write("truth.tum", true);
-  const std::string estimate = files.write("estimate.tum", true);
-  const auto shell = [&](const char* line) {
-    return run(
-        {"timeout", "60", "bash", "-c", line, "bash", tolmanProgram().string(), truth, estimate});
-  };
-  const Finished piped = shell("\"$1\" eval <(cat \"$2\") <(sleep 0.3; cat \"$3\")");
-  CHECK(piped.exit_code == 0);
-  CHECK(piped.out == eval(truth, estimate).out);
-  CHECK(shell("cat \"$3\" | \"$1\" eval \"$2\" /dev/stdin").out == piped.out);
-  const Finished none = shell("mkfifo \"$3.pipe\"; \"$1\" eval \"$2\" \"$3.pipe\"");
-  CHECK(none.exit_code == 5);
-  CHECK(contains(none.err, "nothing came through this pipe; start the program that writes it"));
-  const Finished zeros = shell("\"$1\" eval \"$2\" /dev/zero");
-  CHECK(zeros.exit_code == 5);
-  CHECK(contains(zeros.err, "/dev/zero: is neither a file nor a pipe; check the path"));
 }

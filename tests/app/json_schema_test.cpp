@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/json_schema.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "app/parameter_text.hpp"
 #include "config/system_config.hpp"
 
 using namespace tolman;

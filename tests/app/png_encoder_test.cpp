@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenCV decodes the encoded images to the same pixels.
-#include "app/png_encoder.hpp"
-
 #include <catch2/catch.hpp>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
 
+#include "app/kitti_folder.hpp"
 #include "tolman/context.hpp"
 #include "tolman/image_cv.hpp"
 

@@ -91,27 +91,6 @@ std::vector<double> column(const Container& history, const nlohmann::json& hello
 
 }  // namespace
 
-TEST_CASE("a missing folder for temporary files is named, and is no fault of the viewer") {
-  const Recorded recorded(4);
-  recorded.make();
-  const std::string tolman = tolmanProgram().string();
-  std::vector<std::string> watched = {"env", "TMPDIR=/nowhere-at-all", tolman};
-  for (const std::string& word : tinyRun(recorded.config, recorded.folder.path() / "other")) {
-    watched.push_back(word);
-  }
-  watched.emplace_back("--view");
-  const std::vector<std::string> viewed = {
-      "env", "TMPDIR=/nowhere-at-all", tolman, "view", recorded.run.string(), "--port", "0"};
-  for (const auto& command : {viewed, watched}) {
-    const Finished finished = test::run(command);
-    CAPTURE(finished.err);
-    CHECK(finished.exit_code == 8);
-    CHECK(contains(finished.err,
-                   "/nowhere-at-all: cannot hold temporary files; set TMPDIR to a "
-                   "folder that exists and can be written"));
-  }
-}
-
 TEST_CASE("a finished run is served as it was recorded, with its images") {
   const Recorded recorded(40);
   recorded.make();
@@ -151,21 +130,6 @@ TEST_CASE("a finished run is served as it was recorded, with its images") {
     CHECK(shown.has("cells.hd.activity"));
   }
   CHECK(viewing.end().exit_code == 0);
-}
-
-TEST_CASE("where the images are gone it says so once, and serves the rest") {
-  const Recorded recorded(12);
-  recorded.make();
-  fs::remove_all(recorded.folder.path() / "sequence");
-  Viewing viewing(recorded.run, {"--no-browser-hint"});
-  viewing.waitForEnd();
-  CHECK_FALSE(viewing.container("/api/frame/3").has("image"));
-  CHECK(viewing.container("/api/history").header["total"] == 12);
-  const Finished finished = viewing.end();
-  CHECK(finished.exit_code == 0);
-  CHECK(finished.err.find("without images: ") == finished.err.rfind("without images: "));
-  CHECK(contains(finished.err, "without images: "));
-  CHECK_FALSE(contains(finished.out, "ssh"));
 }
 
 TEST_CASE("a run that goes on is followed to its end") {
@@ -248,16 +212,6 @@ TEST_CASE("what is no run is refused as by the other commands") {
   CHECK(contains(damaged.err, "run.sqlite"));
   CHECK(tolman::test::tolman({"view"}).exit_code == 2);
   CHECK(tolman::test::tolman({"view", run, "--port", "70000"}).exit_code == 2);
-}
-
-TEST_CASE("a port that is taken ends it with a remedy") {
-  const Recorded recorded(5);
-  recorded.make();
-  const Viewing first(recorded.run);
-  const Finished second =
-      tolman::test::tolman({"view", recorded.run.string(), "--port", std::to_string(first.port())});
-  CHECK(second.exit_code == 3);
-  CHECK(contains(second.err, "is in use by another program; give another 'port'"));
 }
 
 }  // namespace tolman::test

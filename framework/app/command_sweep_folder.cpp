@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/sweep_commands.hpp"
-
+// Commands on the folder of a sweep: status, collect, archive and point.
 #include <fmt/format.h>
 
 #include <chrono>
