@@ -49,7 +49,6 @@ std::string sourceOf(const CheckCommand& command) {
 
 /// The source stage alone.
 run::SystemOptions systemOf(const CheckCommand& command, const Invocation& invocation) {
-  refuseTwoValues(command.values);
   run::SystemOptions options{"", {}, invocation.plugin_paths};
   options.overrides = {"source.plugin=" + config::writeText(sourceOf(command))};
   if (!command.path.empty()) {

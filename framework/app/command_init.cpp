@@ -16,7 +16,6 @@ struct InitCommand {
 };
 
 void init(const InitCommand& command, const Invocation& invocation) {
-  refuseTwoValues(command.values);
   SourceValues given;
   for (const std::string& text : command.values) {
     const std::size_t at = text.find('=');

@@ -8,9 +8,7 @@
 #include "engine/report_files.hpp"
 #include "host/child_process.hpp"
 #include "record/export.hpp"
-#include "record/output_places.hpp"
 #include "record/reference.hpp"
-#include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::app {
@@ -20,14 +18,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxUnits = 1'000'000;
 
-/// The folder of a command about a run: another one must not hold files of these names, unless they
-/// may be replaced. In the directory of the run itself they are Tolman's own.
+/// Refuses to replace these files, except in the directory of the run that they are about.
 void refuseOther(const std::string& run, const fs::path& folder, const std::vector<fs::path>& files,
                  bool replace) {
-  failUnless(record::refuseFolders(files, "--out"));  // before any is written
-  failUnless(record::RunDirectory::mayTakeFilesOf(run, folder));
   std::error_code ignored;
-  if (!fs::equivalent(run, folder, ignored)) refuseReplacing(files, replace, "--out");
+  if (!fs::equivalent(run, folder, ignored)) refuseExisting(files, replace, "--out");
 }
 
 struct ReportCommand {

@@ -14,7 +14,6 @@
 #include "experiment/sweep_archive.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_files.hpp"
-#include "record/output_places.hpp"
 
 namespace tolman::app {
 namespace {
@@ -239,13 +238,6 @@ void refuseInsideData(const experiment::Plan& plan, const fs::path& out) {
   }
 }
 
-/// The files beside the runs. In the folder of a sweep they are Tolman's own.
-std::vector<fs::path> filesBeside(const std::string& write, const fs::path& out) {
-  std::vector<fs::path> files{out / "points.txt", out / "data.json"};
-  for (const std::string& name : experiment::jobFileNames(write)) files.push_back(out / name);
-  return files;
-}
-
 ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (command.file.empty()) throw CLI::RequiredError("a sweep file");
   if (command.jobs == 0) command.jobs = std::max(1U, std::thread::hardware_concurrency());
@@ -253,15 +245,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
       fs::absolute(command.out.path.empty() ? fs::path("sweeps") / fs::path(command.file).stem()
                                             : fs::path(command.out.path))
           .lexically_normal();
-  if (fs::exists(out / "run.json") || fs::exists(out / "point.json")) {
-    fail(ExitCode::Record, out.string() + ": holds a run, and no sweep; choose another --out");
-  }
-  failUnless(record::refuseRunPlaces(out, "--out"));
-  failUnless(record::refuseFolders(filesBeside(command.write, out), "--out"));
-  const experiment::FrozenRuns frozen = experiment::frozenRuns(out);
-  if (frozen.planned.empty() && frozen.earlier.empty()) {
-    refuseExisting(filesBeside(command.write, out), command.out.replace, "--out");
-  }
+  if (experiment::frozenRuns(out).empty()) refuseExisting({out}, command.out.replace, "--out");
   const experiment::Plan plan = planOf(command, out, invocation);
   refuseInsideData(plan, out);
   const SweepProgress progress = progressOf(plan, out, command.retry);
@@ -297,7 +281,7 @@ void addSweepCommand(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<SweepCommand>();
   addOption(command, "file", options->file, "FILE", "What varies (YAML)");
   options->out.add(command, "FOLDER", "Folder of the sweep (default: sweeps/FILE)",
-                   "Replace files of other programs in the folder");
+                   "Use a folder that holds other files");
   addOption(command, "--jobs", options->jobs, "N", "Runs at a time (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--dry-run", options->dry_run, "Check all runs and print what is to do");

@@ -127,7 +127,6 @@ void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
   addOption(command, "--memory", options->memory_mib, "MIB", "MiB for each check; 0 for no limit")
       ->capture_default_str();
   command.callback([options, &invocation] {
-    refuseTwoValues(options->set);
     options->program = {std::filesystem::read_symlink("/proc/self/exe").string(), "plugins",
                         "run-check"};
     validate(*options, invocation);

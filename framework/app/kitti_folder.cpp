@@ -8,7 +8,6 @@
 #include <array>
 #include <system_error>
 
-#include "record/output_places.hpp"
 #include "record/pose_files.hpp"
 
 namespace tolman::dataset {
@@ -104,7 +103,6 @@ std::string timesText(const std::vector<std::int64_t>& stamps_ns) {
 }
 
 Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
-  if (Status status = record::refuseRunPlaces(folder, "--out"); !status.isOk()) return status;
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (!fs::is_directory(folder)) {

@@ -4,12 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "config/values.hpp"
 #include "record/atomic_file.hpp"
-#include "record/output_places.hpp"
 
 namespace tolman::app {
 namespace {
@@ -56,20 +54,6 @@ std::string notNegative(const std::string& value) {
   return finiteNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
 }
 
-void refuseTwoValues(const std::vector<std::string>& overrides) {
-  std::map<std::string, std::string> values;
-  for (const std::string& one : overrides) {
-    const std::size_t equals = one.find('=');
-    if (equals == std::string::npos) continue;  // reported with its position when it is parsed
-    const std::string key = one.substr(0, equals);
-    const std::string value = one.substr(equals + 1);
-    const auto [before, is_new] = values.emplace(key, value);
-    if (is_new || before->second == value) continue;
-    throw CLI::ValidationError("--set " + key, "is given twice, as '" + before->second +
-                                                   "' and as '" + value + "'; give it once");
-  }
-}
-
 CLI::Option* Output::add(CLI::App& command, const std::string& type, const std::string& text,
                          const std::string& replaced) {
   command.add_flag("--force", replace, replaced);
@@ -77,12 +61,6 @@ CLI::Option* Output::add(CLI::App& command, const std::string& type, const std::
 }
 
 void refuseExisting(const std::vector<fs::path>& files, bool replace, const std::string& option) {
-  for (const fs::path& file : files) failUnless(record::refuseRunPlaces(file, option));
-  failUnless(record::refuseFolders(files, option));
-  refuseReplacing(files, replace, option);
-}
-
-void refuseReplacing(const std::vector<fs::path>& files, bool replace, const std::string& option) {
   if (replace) return;
   for (const fs::path& file : files) {
     if (!isInTheWay(file)) continue;
@@ -133,27 +111,15 @@ run::SystemOptions SystemOptionsReader::read(const Invocation& invocation, Use u
   if (config_.empty() && resume_.empty()) {
     throw CLI::RequiredError("a configuration, or --resume,");
   }
-  refuseTwoValues(overrides_);
   run::SystemOptions options{resume_.empty() ? configFile(config_) : resumedConfig(), overrides_,
                              invocation.plugin_paths};
   options.quiet = invocation.quiet;
   options.find_shipped = shippedConfig;
   if (resume_.empty()) options = withRecording(std::move(options), invocation, use);
-  addValue("seed", seed_, options.overrides);
-  addValue("threads", threads_, options.overrides);
+  if (!seed_.empty()) options.overrides.push_back("seed=" + seed_);
+  if (!threads_.empty()) options.overrides.push_back("threads=" + threads_);
   if (!continue_.empty()) options.overrides.push_back("continue=" + config::writeText(continue_));
   return options;
-}
-
-/// --seed N and --set seed=M: neither is certainly meant.
-void SystemOptionsReader::addValue(const std::string& name, const std::string& value,
-                                   std::vector<std::string>& overrides) const {
-  if (value.empty()) return;
-  for (const std::string& other : overrides_) {
-    if (!other.starts_with(name + "=")) continue;
-    throw CLI::ExcludesError("--" + name, "--set " + name + "=...");
-  }
-  overrides.push_back(name + "=" + value);
 }
 
 std::string SystemOptionsReader::resumedConfig() const {

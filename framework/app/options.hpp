@@ -40,9 +40,6 @@ std::string notEmpty(const std::string& value);  ///< without it `--out ""` woul
 std::string positive(const std::string& value);
 std::string notNegative(const std::string& value);
 
-/// Throws CLI::ValidationError for --set a=1 --set a=2: neither is certainly meant.
-void refuseTwoValues(const std::vector<std::string>& overrides);
-
 /// --out and --force of the commands that write files where the user chooses.
 struct Output {
   std::string path;
@@ -54,15 +51,11 @@ struct Output {
 };
 
 /// To be called before the command begins its work: fails (8) if one of `files` exists and
-/// `replace` is not set, and always if one is a folder or lies in the directory of another run than
-/// `own`. `option` is the option that chose them. Allowed without --force: an empty file or folder,
-/// as `mktemp` makes them, and pipes, devices and the standard output, which are not replaced.
+/// `replace` is not set. `option` is the option that chose them. Allowed without --force: an empty
+/// file or folder, as `mktemp` makes them, and pipes, devices and the standard output, which are
+/// not replaced.
 void refuseExisting(const std::vector<std::filesystem::path>& files, bool replace,
                     const std::string& option);
-/// The same without the rule of places: for outputs that may lie in the directory of the run that
-/// the command is about.
-void refuseReplacing(const std::vector<std::filesystem::path>& files, bool replace,
-                     const std::string& option);
 
 /// A configuration shipped with the program, in the installed or the build tree: both "demo" and
 /// "configs/demo.yaml" name it. Empty where there is none.
@@ -83,8 +76,6 @@ class SystemOptionsReader {
   run::SystemOptions read(const Invocation& invocation, Use use = Use::Run) const;
 
  private:
-  void addValue(const std::string& name, const std::string& value,
-                std::vector<std::string>& overrides) const;
   std::string resumedConfig() const;
 
   CLI::App& command_;

@@ -98,31 +98,6 @@ TEST_CASE("overrides at random are applied or refused with their origin") {
   CHECK(refused > 4);
 }
 
-TEST_CASE("a value given by an option and by --set is refused") {
-  const std::vector<std::string> words = {"check", inSource("configs/demo.yaml"), "--set"};
-  for (const auto& [set, option] :
-       {std::pair<const char*, const char*>("seed=4", "--seed"), {"threads=2", "--threads"}}) {
-    std::vector<std::string> both = words;
-    both.insert(both.end(), {set, option, "3"});
-    const Finished finished = tolman::test::tolman(both);
-    CAPTURE(option, finished.err);
-    CHECK(finished.exit_code == 2);
-    CHECK(contains(finished.err, std::string(option) + " excludes --set "));
-  }
-}
-
-TEST_CASE("two values of one key are refused, the same value twice is not") {
-  const auto check = [](const std::string& first, const std::string& second) {
-    return tolman::test::tolman(
-        {"check", inSource("configs/demo.yaml"), "--set", first, "--set", second});
-  };
-  const Finished finished = check("seed=4", "seed=5");
-  CHECK(finished.exit_code == 2);
-  CHECK(contains(finished.err, "--set seed: is given twice, as '4' and as '5'; give it once"));
-  CHECK(check("seed=4", "seed=4").exit_code == 0);
-  CHECK(check("seed=4", "threads=1").exit_code == 0);
-}
-
 TEST_CASE("check tells that there is no map to continue") {
   const TemporaryFolder folder;
   for (const std::string& none : {std::string("/nope"), folder.path().string()}) {
@@ -154,30 +129,4 @@ TEST_CASE("a baseline of a wrong unit is told before and during the run, with th
   std::ofstream(sequence / "calib.txt") << "P0: 100 0 80 0 0 100 30 0 0 0 1 0\n"
                                         << "P1: 100 0 80 -50 0 100 30 0 0 0 1 0\n";
   CHECK_FALSE(told(tolman::test::tolman({"dataset", "check", sequence.string()}).out));
-}
-
-TEST_CASE("the folder of a run is no folder of a sweep") {
-  const TemporaryFolder folder;
-  writeTinyKitti(folder.path() / "sequence", 4);
-  const fs::path config = writeTinyConfig(folder.path(), folder.path() / "sequence");
-  const fs::path out = folder.path() / "run";
-  auto words = tinyRun(config, out);
-  REQUIRE(tolman::test::tolman(words).exit_code == 0);
-  const fs::path sweep = folder.path() / "sweep.yaml";
-  std::ofstream(sweep) << "base: tiny.yaml\nseeds: [1, 2]\n";
-  const auto count = [&] {
-    return std::distance(fs::recursive_directory_iterator(out), fs::recursive_directory_iterator());
-  };
-  const auto before = count();
-  words = {"sweep", sweep.string(), "--out", out.string()};
-  for (const bool only_record : {false, true}) {
-    if (only_record) fs::remove(out / "run.json");
-    const Finished finished = tolman::test::tolman(words);
-    CAPTURE(finished.out, finished.err);
-    CHECK(finished.exit_code == 8);
-    CHECK(contains(finished.err,
-                   only_record ? "holds a run (run.sqlite)" : "holds a run (run.json)"));
-    CHECK(contains(finished.err, "choose another --out"));
-  }
-  CHECK(count() == before - 1);
 }
