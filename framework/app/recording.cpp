@@ -12,6 +12,7 @@
 #include "app/options.hpp"
 #include "app/rendering.hpp"
 #include "config/loader.hpp"
+#include "config/text.hpp"
 #include "engine/assembly.hpp"
 #include "record/regular_file.hpp"
 
