@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One coordinate as phases of several periodic modules.
 //
-// A module of period p represents a coordinate by its remainder modulo p and cannot tell places one
-// period apart from each other. Modules of different periods together can, over a range that grows
-// exponentially with their number (residue code; Fiete, Burak, Brookings 2008). Lengths are in m.
+// A module of period p represents a coordinate by its remainder modulo p and cannot distinguish
+// places one period apart from each other. Modules of different periods together can, over a range
+// that grows exponentially with their number (residue code; Fiete, Burak, Brookings 2008). Lengths
+// are in m.
 #pragma once
 
 #include <Eigen/Core>

@@ -193,7 +193,7 @@ std::optional<AlignmentResult> DirectSparse::align(const Frame& frame, double dt
 /// Few samples, or road marks and fences after a gap, may also fit at a wrong place, which would
 /// need an acceleration of more than one g. The reversed velocity is allowed too, for clips that
 /// are played forwards and backwards. The limits were chosen on faults of KITTI 06
-/// (docs/odometry.md).
+/// (docs/report/odometry.md).
 bool DirectSparse::isPlausible(const AlignmentResult& tracked, double dt) const {
   const bool in_metres = cameras_ == Cameras::Stereo;
   if (!has_velocity_ || !in_metres) return true;

@@ -9,10 +9,10 @@ namespace {
 constexpr int kDown = 2;    // term P_2(y)
 constexpr int kAcross = 7;  // term P_2(x)
 
-// What simulated calibrations leave (docs/odometry.md): an offset of about a third of the sum of
-// both terms of degree 2, and a rest, relative to the rms of the field without its offset. Weights
-// were 0.23 to 0.42, the rest 0.4 to 0.55 with the constraint of the window on the field; within
-// this range 0.5 was chosen on KITTI 06.
+// What simulated calibrations leave (docs/report/odometry.md): an offset of about a third of the
+// sum of both terms of degree 2, and a rest, relative to the rms of the field without its offset.
+// Weights were 0.23 to 0.42, the rest 0.4 to 0.55 with the constraint of the window on the field;
+// within this range 0.5 was chosen on KITTI 06.
 constexpr double kByTerm = 1.0 / 3;
 constexpr double kRest = 0.5;
 // Standard deviation of the offset of a turned camera: 1 px at a focal length of 720 px, which is

@@ -45,8 +45,8 @@ struct ScaleMoments {
 /// has two possible causes. If a camera has turned since the calibration, columns are displaced as
 /// by a yaw, yaw (f + x^2 / f), at all disparities. What a calibration by least squares leaves is a
 /// constant, which focal length and baseline compensate, so that disparities at the distance of the
-/// calibration are right; it leaves other terms of the field, too, and they tell how much of the
-/// offset it can be. docs/odometry.md has the derivation.
+/// calibration are right; it leaves other terms of the field, too, and they show how much of the
+/// offset it can be. docs/report/odometry.md has the derivation.
 class DisparityField {
  public:
   using Terms = SmoothField::Terms;

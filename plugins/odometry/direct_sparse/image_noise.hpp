@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The noise of an image, and a filter for noisy ones. In the dark a camera amplifies noise until it
 // has the gradients of weak texture: points are then chosen on noise, their depths are chance, and
-// the scale and the shape of a window of a single camera follow them (docs/odometry.md).
+// the scale and the shape of a window of a single camera follow them (docs/report/odometry.md).
 #pragma once
 
 #include <cstdint>

@@ -10,9 +10,9 @@ namespace tolman::direct_sparse {
 
 /// Points, iterations and keyframe weight were chosen on KITTI 06 in both directions, such that
 /// their cost is at most that of fewer keyframes with twice the points; the error on KITTI 01 was
-/// known then. docs/odometry.md has the figures of other drives. The paper has 2000 points and at
-/// most six iterations. Rectified rigs are off by up to 1 px of disparity. Parameters that only one
-/// of the two plugins uses are declared by that one.
+/// known then. docs/report/odometry.md has the figures of other drives. The paper has 2000 points
+/// and at most six iterations. Rectified rigs are off by up to 1 px of disparity. Parameters that
+/// only one of the two plugins uses are declared by that one.
 struct Parameters {
   int points = 1500;
   int candidates = 1200;
@@ -23,8 +23,8 @@ struct Parameters {
   double nearest = 2.5;             // m; bounds the search; chosen, not tuned
   double marginal_weight = 0.25;    // as DSO; compared on 06, raw 0001, town 07
   double largest_adjustment = 0.5;  // m; chosen, not tuned
-  double offset_sigma = 1;          // px; as rigs are off (docs/odometry.md)
-  double column_sigma = 0.3;        // px; chosen on the town, docs/odometry.md
+  double offset_sigma = 1;          // px; as rigs are off (docs/report/odometry.md)
+  double column_sigma = 0.3;        // px; chosen on the town, docs/report/odometry.md
   double calibration_distance = 4;  // m; boards at 2 to 6 m, where they fill a part of the image
   double row_sigma = 1;             // px; KITTI 06 and raw 0001 are off by 1.5 px in the corners
   double camera_height = 1.65;      // m; KITTI's car

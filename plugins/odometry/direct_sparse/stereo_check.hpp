@@ -15,7 +15,7 @@ struct StereoAgreement {
   int agreeing = 0;
   /// At the right place nearly all agree: 115 of 117 on kitti_clips/06. At a wrong place only few
   /// points can be matched: 3 of 14 agreed on 01. Chosen on 06, on the town in
-  /// traffic and on one fault of 01 (docs/odometry.md).
+  /// traffic and on one fault of 01 (docs/report/odometry.md).
   bool confirms() const { return agreeing >= 20 && 2 * agreeing >= compared; }
 };
 

@@ -9,7 +9,7 @@
 namespace tolman::feature_stereo {
 
 /// Where nothing else is said, the defaults were chosen on KITTI 06, raw 0001 and the town along
-/// KITTI 07 (docs/odometry.md); how is not recorded.
+/// KITTI 07; how is not recorded.
 struct Parameters {
   int corners = 500;
   double corner_quality = 0.003;
@@ -26,7 +26,7 @@ struct Parameters {
   int window = 7;
   double keyframe_flow = 15;
   double keyframe_survival = 0.75;
-  int refinement_iterations = 6;  // three are worse where 06 is blurred (docs/odometry.md)
+  int refinement_iterations = 6;  // three are worse where 06 is blurred
   double offset_sigma = 0.2;
 
   /// Corners, their tracking, and its accuracy.

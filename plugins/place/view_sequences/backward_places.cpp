@@ -19,7 +19,7 @@ double yawOf(double index) { return 0.08 * (index - (kYaws - 1) / 2.0); }  // ra
 // answer must agree with an earlier measurement. Chosen, not tuned.
 constexpr double kMeasuredFrom = 0.5;
 // Least correlation of the structure of the same street: 97 of 100 right places reach it.
-// Chosen on district (docs/places.md).
+// Chosen on district (docs/report/places.md).
 constexpr double kMinCorrelation = 0.28;
 // Correction along the street: a camera sees only the near sides of objects, so structure of the
 // opposite direction fits best about a metre too far back. Measured on district (1.0 m), checked on

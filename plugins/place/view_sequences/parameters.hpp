@@ -6,8 +6,8 @@
 
 namespace tolman::view_sequences {
 
-/// docs/places.md says on what data memory and probabilities were chosen. The others are chosen,
-/// not tuned.
+/// docs/report/places.md says on what data memory and probabilities were chosen. The others are
+/// chosen, not tuned.
 struct Parameters {
   double spacing = 1.0;         // m
   double recent = 20;           // m

@@ -23,7 +23,7 @@ namespace tolman::view_sequences {
 
 enum class Direction : std::uint8_t { Forwards, Backwards };
 
-/// Chosen on `places_gardens` (first half) and `places_two_laps`; docs/places.md has the
+/// Chosen on `places_gardens` (first half) and `places_two_laps`; docs/report/places.md has the
 /// measurements.
 struct PathCostSettings {
   double memory = 0.92;                       ///< factor per step

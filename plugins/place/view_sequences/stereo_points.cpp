@@ -12,7 +12,7 @@ namespace tolman::view_sequences {
 namespace {
 
 // Chosen, not tuned. kMatchedWidth is half of KITTI's: at a quarter two thirds of the places were
-// found that half the size finds (docs/places.md, in a prototype).
+// found that half the size finds (docs/report/places.md, in a prototype).
 constexpr double kNearest = 3;      // m
 constexpr double kFarthest = 25;    // m
 constexpr float kWidest = 20;       // m to either side

@@ -8,7 +8,7 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr double kStreetReach = 30;        // m of path; chosen on district (docs/places.md)
+constexpr double kStreetReach = 30;        // m of path; chosen on district (docs/report/places.md)
 constexpr double kMinReach = 15;           // m; grids over less differ too much; chosen, not tuned
 constexpr double kPatchSpacing = 0.99;     // m between patches: once in a step of 1 m
 constexpr std::int64_t kMinPoints = 500;   // in a grid; a street has 10^4; chosen, not tuned

@@ -25,7 +25,7 @@ class UsualDistance {
   static constexpr double kPriorDeviation = 0.12;
   static constexpr double kPriorViews = 20;
   // Limits the effect of a single view, however similar. Chosen on the walks and a corridor
-  // (docs/places.md).
+  // (docs/report/places.md).
   static constexpr float kLargest = 4;
 
   double mean_;

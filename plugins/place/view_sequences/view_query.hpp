@@ -12,7 +12,7 @@
 namespace tolman::view_sequences {
 
 /// Largest shift to either side, in cells of the edge grid: a quarter of its 13 columns. Chosen,
-/// not tuned; docs/places.md shows the effect of no shift.
+/// not tuned; docs/report/places.md shows the effect of no shift.
 inline constexpr int kShift = 3;
 inline constexpr int kShifts = 2 * kShift + 1;
 
