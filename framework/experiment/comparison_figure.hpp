@@ -49,7 +49,7 @@ std::string lineFigure(const LineFigure& figure);
 report::Range figureRange(double low, double high);
 
 // Figures of a comparison, as wide as a column of a paper, in colours that colour-blind readers can
-// tell apart (Okabe and Ito 2008).
+// distinguish (Okabe and Ito 2008).
 
 enum class FigureKind : std::uint8_t {
   Auto,     ///< Line where the first factor is a number, else Box

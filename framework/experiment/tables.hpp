@@ -40,7 +40,7 @@ std::string csvOf(const Comparison& comparison);
 // Comparisons and tables as JSON, for programs.
 
 /// An object with metric, factors, baseline, notes and a list of levels. Numbers are exact; what
-/// cannot be told, such as an interval of too few runs, is null.
+/// is unknown, such as an interval of too few runs, is null.
 std::string jsonOf(const Comparison& comparison);
 /// An object with notes and a list of rows: objects of cells by their headings, as text.
 std::string jsonOf(const TextTable& table);
