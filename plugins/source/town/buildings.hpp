@@ -4,7 +4,6 @@
 #pragma once
 
 #include "lane_path.hpp"
-#include "plots.hpp"
 #include "route.hpp"
 #include "world.hpp"
 

@@ -13,9 +13,6 @@
 namespace tolman::town {
 namespace {
 
-constexpr std::string_view kCarParkName = "car_park";
-constexpr std::string_view kHallName = "hall";
-
 constexpr double kLateralAcceleration = 1.5;       ///< m/s^2, in bends
 constexpr double kLongitudinalAcceleration = 1.5;  ///< m/s^2, before and after them
 constexpr double kSpeedStep = 0.05;                ///< m
@@ -167,12 +164,6 @@ std::vector<double> frameDistances(const LanePath& path, const RouteOptions& opt
   return distances;
 }
 
-void addFrame(CameraRoute& route, const Eigen::Isometry3d& T_town_camera, double rate) {
-  const auto frame = static_cast<double>(route.stamps_ns.size());
-  route.stamps_ns.push_back(std::llround(frame * 1e9 / rate));
-  route.T_town_camera.push_back(T_town_camera);
-}
-
 CameraRoute carParkRoute(RouteOptions options) {
   constexpr double kFastest = 5;      // m/s
   constexpr double kPadBelow = 0.35;  // m, under the lowest floor
@@ -183,7 +174,7 @@ CameraRoute carParkRoute(RouteOptions options) {
   route.building = Building::CarPark;
   for (const double s : frameDistances(drive.path, options)) {
     const auto [height, slope] = drive.at(s);
-    addFrame(route, cameraPose(drive.path.at(s), height, slope), options.rate);
+    route.add(cameraPose(drive.path.at(s), height, slope), options.rate);
     route.raised.push_back(s > drive.inside_from && s < drive.inside_to);
   }
   route.pads.push_back(
@@ -196,38 +187,31 @@ CameraRoute carParkRoute(RouteOptions options) {
 }  // namespace
 
 Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options) {
-  struct Known {
-    std::string_view name;
-    LanePath (*path)();
+  CameraRoute route;
+  const auto along = [&](const LanePath& path) {
+    for (const double s : frameDistances(path, options)) {
+      route.add(poseOnGround(path.at(s)), options.rate);
+    }
   };
-  constexpr std::array<Known, 4> kKnown = {{{"block", blockPath},
-                                            {"eights", eightsPath},
-                                            {"district", districtPath},
-                                            {"highway", highwayPath}}};
-  const auto known = std::find_if(kKnown.begin(), kKnown.end(),
-                                  [&](const Known& one) { return one.name == name; });
-  if (name == kCarParkName) {
-    CameraRoute route = carParkRoute(options);
-    route.name = name;
-    return route;
-  }
-  if (name == kHallName) {
-    CameraRoute route = hallWalk(options);
-    route.name = name;
-    return route;
-  }
-  if (known == kKnown.end()) {
+  if (name == "block") {
+    along(blockPath());
+  } else if (name == "eights") {
+    along(eightsPath());
+  } else if (name == "district") {
+    along(districtPath());
+  } else if (name == "highway") {
+    along(highwayPath());
+    route.is_highway = true;
+  } else if (name == "car_park") {
+    route = carParkRoute(options);
+  } else if (name == "hall") {
+    route = hallWalk(options);
+  } else {
     return Status::invalidParameter(
         "there is no route '" + std::string(name) +
         "'; use block, eights, district, highway, car_park, hall, or a KITTI pose file");
   }
-  const LanePath path = known->path();
-  CameraRoute route;
   route.name = name;
-  route.is_highway = name == "highway";
-  for (const double s : frameDistances(path, options)) {
-    addFrame(route, poseOnGround(path.at(s)), options.rate);
-  }
   return route;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The car park as triangles, and the path of the camera through it.
-
 #include <algorithm>
 #include <array>
 
@@ -9,7 +8,6 @@
 #include "shapes.hpp"
 
 namespace tolman::town {
-
 namespace {
 
 constexpr float kFloorThickness = 0.3F;  ///< m thick
@@ -32,11 +30,12 @@ constexpr std::array kRamps = {static_cast<float>(CarPark::kRampDown),
 class CarParkBuilder {
  public:
   CarParkBuilder(World& world, double floor, std::uint32_t seed)
-      : world_(world), floor_(static_cast<float>(floor)), seed_(seed) {
-    asphalt_ = add(Material::Road, 0.26F, 881);
-    concrete_ = add(Material::Plain, 0.42F, 882);
-    paint_ = add(Material::Paint, 0.75F, 883);
-  }
+      : world_(world),
+        floor_(static_cast<float>(floor)),
+        seed_(seed),
+        asphalt_(world.addSurface({.material = Material::Road, .seed = 881, .tone = 0.26F})),
+        concrete_(world.addSurface({.seed = 882, .tone = 0.42F})),
+        paint_(world.addSurface({.material = Material::Paint, .seed = 883, .tone = 0.75F})) {}
 
   void build() {
     for (int level = 0; level <= CarPark::kFloors; ++level) plate(level);
@@ -45,9 +44,8 @@ class CarParkBuilder {
       walls(level);
       pillars(level);
       bays(level);
-      if (level + 1 < CarPark::kFloors) {
-        for (const float middle : kRamps) ramp(level, middle);
-      }
+      if (level + 1 == CarPark::kFloors) break;
+      for (const float middle : kRamps) ramp(level, middle);
     }
   }
 
@@ -59,13 +57,6 @@ class CarParkBuilder {
     Point low, high;
   };
 
-  std::uint32_t add(Material material, float tone, std::uint32_t seed) {
-    Surface surface;
-    surface.material = material;
-    surface.tone = tone;
-    surface.seed = seed;
-    return world_.addSurface(surface);
-  }
   static Vec3 at(float x, float y, float z) {
     return {x, y + static_cast<float>(CarPark::kAisleY), z};
   }
@@ -78,11 +69,10 @@ class CarParkBuilder {
              at(r.low.x, r.high.y, z)},
             surface);
   }
-  void box(const Rectangle& r, float low, float high, std::uint32_t surface) {
-    const Vec3 corner = at(r.low.x, r.low.y, low);
-    addBox(world_.fixed, corner,
+  void box(const Rectangle& r, float low, float high) {
+    addBox(world_.fixed, at(r.low.x, r.low.y, low),
            {Vec3{r.high.x - r.low.x, 0, 0}, Vec3{0, r.high.y - r.low.y, 0}, Vec3{0, 0, high - low}},
-           surface);
+           concrete_);
   }
 
   /// A floor with its underside, with openings above the ramps from below; the last one is the
@@ -116,19 +106,19 @@ class CarParkBuilder {
       for (const float side : {-1.0F, 1.0F}) {
         const float over = middle + side * (kRampHalf + 0.1F);
         box({{over - 0.08F, kRampBegin}, {over + 0.08F, kRampEnd}}, z - kFloorThickness,
-            z + kParapet, concrete_);
+            z + kParapet);
       }
       // Cars drive on to the next ramp at the northern end, but on the uppermost floor.
       if (level + 1 < CarPark::kFloors) continue;
       box({{middle - kRampHalf, kRampEnd - 0.08F}, {middle + kRampHalf, kRampEnd + 0.08F}},
-          z - kFloorThickness, z + kParapet, concrete_);
+          z - kFloorThickness, z + kParapet);
     }
   }
 
   void edge(const Point& a, const Point& b, float z) {
+    const float below = z - kFloorThickness;
     addQuad(world_.fixed,
-            {at(a.x, a.y, z - kFloorThickness), at(b.x, b.y, z - kFloorThickness), at(b.x, b.y, z),
-             at(a.x, a.y, z)},
+            {at(a.x, a.y, below), at(b.x, b.y, below), at(b.x, b.y, z), at(a.x, a.y, z)},
             concrete_);
   }
 
@@ -136,16 +126,13 @@ class CarParkBuilder {
   void walls(int level) {
     const float z = levelAt(level);
     constexpr float kThick = 0.15F;
-    const auto wall = [&](const Rectangle& r) { box(r, z, z + kParapet, concrete_); };
+    const auto wall = [&](const Rectangle& r) { box(r, z, z + kParapet); };
     wall({{kWest, kSouth}, {kWest + kThick, kNorth}});
     wall({{kEast - kThick, kSouth}, {kEast, kNorth}});
     wall({{kWest, kNorth - kThick}, {kEast, kNorth}});
-    if (level > 0) {
-      wall({{kWest, kSouth}, {kEast, kSouth + kThick}});
-    } else {
-      wall({{kWest, kSouth}, {kEntranceWest, kSouth + kThick}});
-      wall({{kEntranceEast, kSouth}, {kEast, kSouth + kThick}});
-    }
+    if (level > 0) return wall({{kWest, kSouth}, {kEast, kSouth + kThick}});
+    wall({{kWest, kSouth}, {kEntranceWest, kSouth + kThick}});
+    wall({{kEntranceEast, kSouth}, {kEast, kSouth + kThick}});
   }
 
   void pillars(int level) {
@@ -154,12 +141,12 @@ class CarParkBuilder {
     for (const float x : {-8.6F, 4.2F, 9.8F, 16.0F, 22.2F, 27.8F, 40.6F}) {
       for (const float y : {-3.5F, 9.0F, 17.7F, 26.3F, 35.0F, 47.5F}) {
         box({{x - kHalf, y - kHalf}, {x + kHalf, y + kHalf}}, z,
-            z + static_cast<float>(CarPark::kStorey) - kFloorThickness, concrete_);
+            z + static_cast<float>(CarPark::kStorey) - kFloorThickness);
       }
     }
   }
 
-  /// A ramp up from `level`, from north to south.
+  /// A ramp up from `level`, from north to south, in slices of half a metre.
   void ramp(int level, float middle) {
     constexpr float kStep = 0.5F;  // m
     const float z = levelAt(level);
@@ -167,13 +154,11 @@ class CarParkBuilder {
       return z + static_cast<float>(CarPark::rampHeight(static_cast<double>(kRampEnd - y)));
     };
     for (float y = kRampBegin; y < kRampEnd - 0.01F; y += kStep) {
-      const float low = heightAt(y);
-      const float high = heightAt(y + kStep);
-      slice(middle, {y, low}, {y + kStep, high});
+      slice(middle, {y, heightAt(y)}, {y + kStep, heightAt(y + kStep)});
     }
   }
 
-  /// Roadway, underside and side walls of a slice of a ramp of half a metre; points are (y, z).
+  /// Roadway, underside and side walls; points are (y, z).
   void slice(float middle, const Point& a, const Point& b) {
     const auto strip = [&](float x0, float up0, float x1, float up1, std::uint32_t surface) {
       addQuad(world_.fixed,
@@ -200,11 +185,9 @@ class CarParkBuilder {
       const std::uint32_t own = hash(seed_, number++, 884);
       if (unit(hash(own, 1)) > 0.7F) return;
       const float turned = unit(hash(own, 2)) < 0.4F ? 3.1416F : 0.0F;
+      const Vec3 place = at(static_cast<float>(x), static_cast<float>(y), levelAt(level));
       world_.instances.push_back(
-          {world_.cars[own % world_.cars.size()],
-           Placement::at(at(static_cast<float>(x), static_cast<float>(y), levelAt(level)),
-                         yaw + turned),
-           own});
+          {world_.cars[own % world_.cars.size()], Placement::at(place, yaw + turned), own});
     };
     for (double y = 6; y < 41; y += kBay) {
       bay(-5.8, y, 0);
@@ -227,27 +210,10 @@ class CarParkBuilder {
   World& world_;
   float floor_;
   std::uint32_t seed_;
-  std::uint32_t asphalt_ = 0;
-  std::uint32_t concrete_ = 0;
-  std::uint32_t paint_ = 0;
+  std::uint32_t asphalt_;
+  std::uint32_t concrete_;
+  std::uint32_t paint_;
 };
-
-}  // namespace
-
-Plot carParkPlot() {
-  Plot plot;
-  plot.centre = {(CarPark::kWest + CarPark::kEast) / 2,
-                 CarPark::kAisleY + (CarPark::kSouth + CarPark::kNorth) / 2};
-  plot.half_length = (CarPark::kEast - CarPark::kWest) / 2 + 2;
-  plot.half_depth = (CarPark::kNorth - CarPark::kSouth) / 2 + 4;
-  return plot;
-}
-
-void addCarPark(World& world, double floor, std::uint32_t seed) {
-  CarParkBuilder(world, floor, seed).build();
-}
-
-namespace {
 
 constexpr double kRadius = 6;           ///< m, of turns
 constexpr double kBlend = 5;            ///< m of changing slope at both ends of a ramp
@@ -264,11 +230,10 @@ class Driver {
     for (int round = 0; round < 2; ++round) {
       for (int floor = 0; floor + 1 < CarPark::kFloors; ++floor) climb();
       // Across the uppermost floor to its eastern aisle.
-      path().ahead(CarPark::kLength).turnRight(kRadius);
-      path().ahead(CarPark::kEastAisle).turnRight(kRadius);
-      path().ahead(CarPark::kLength).turnRight(kRadius);
+      aheadAndRight(CarPark::kLength).aheadAndRight(CarPark::kEastAisle);
+      aheadAndRight(CarPark::kLength);
       for (int floor = 0; floor + 1 < CarPark::kFloors; ++floor) descend();
-      if (round == 0) path().ahead(CarPark::kEastAisle).turnRight(kRadius);
+      if (round == 0) aheadAndRight(CarPark::kEastAisle);
     }
     path().ahead(CarPark::kEastAisle - kExitLane).turnLeft(4);
     path().ahead(CarPark::kAisleY - 10);
@@ -279,27 +244,29 @@ class Driver {
 
  private:
   LanePath& path() { return drive_.path; }
+  Driver& aheadAndRight(double length) {
+    path().ahead(length).turnRight(kRadius);
+    return *this;
+  }
 
   /// From the southern end of the western aisle to that of the floor above.
   void climb() {
-    path().ahead(CarPark::kLength).turnRight(kRadius);
-    path().ahead(CarPark::kRampUp).turnRight(kRadius);
+    aheadAndRight(CarPark::kLength).aheadAndRight(CarPark::kRampUp);
     ramp(true);
-    path().ahead(CarPark::kRampUp).turnRight(kRadius);
+    aheadAndRight(CarPark::kRampUp);
   }
 
   /// From the southern end of the eastern aisle to that of the floor below.
   void descend() {
-    path().ahead(CarPark::kEastAisle - CarPark::kRampDown).turnRight(kRadius);
+    aheadAndRight(CarPark::kEastAisle - CarPark::kRampDown);
     ramp(false);
-    path().ahead(CarPark::kEastAisle - CarPark::kRampDown).turnRight(kRadius);
-    path().ahead(CarPark::kLength).turnRight(kRadius);
+    aheadAndRight(CarPark::kEastAisle - CarPark::kRampDown).aheadAndRight(CarPark::kLength);
   }
 
   void ramp(bool up) {
     drive_.ramps.push_back({path().length() + kBeforeRamp, height_, up});
     height_ += up ? CarPark::kStorey : -CarPark::kStorey;
-    path().ahead(CarPark::kLength).turnRight(kRadius);
+    aheadAndRight(CarPark::kLength);
   }
 
   CarParkDrive drive_;
@@ -333,5 +300,17 @@ CarParkHeight CarParkDrive::at(double s) const {
 }
 
 CarParkDrive carParkDrive() { return Driver().drive(); }
+
+Plot carParkPlot() {
+  return {{(CarPark::kWest + CarPark::kEast) / 2,
+           CarPark::kAisleY + (CarPark::kSouth + CarPark::kNorth) / 2},
+          Eigen::Vector2d::UnitX(),
+          (CarPark::kEast - CarPark::kWest) / 2 + 2,
+          (CarPark::kNorth - CarPark::kSouth) / 2 + 4};
+}
+
+void addCarPark(World& world, double floor, std::uint32_t seed) {
+  CarParkBuilder(world, floor, seed).build();
+}
 
 }  // namespace tolman::town

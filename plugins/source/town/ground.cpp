@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Marching squares, row by row, so that no memory is needed besides that of the mesh.
+// Road, kerbs and the land beside them: marching squares, row by row, so that no memory is needed
+// besides that of the mesh.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "objects.hpp"
 
@@ -42,7 +42,7 @@ struct Node {
   std::uint32_t vertex(bool road) const { return !is_cut ? corner : road ? cut.road : cut.land; }
 };
 
-/// The boundary of a cell: up to four corners and four cuts, counter-clockwise.
+/// The boundary of a cell, or a part of it: up to four corners and four cuts, counter-clockwise.
 struct Ring {
   std::array<Node, 8> nodes;
   std::size_t size = 0;
@@ -75,30 +75,25 @@ class GroundMesher {
  private:
   static bool onRoad(double distance) { return distance < StreetPlan::kRoadHalfWidth; }
 
-  Eigen::Vector2d place(double column, double row) const {
-    return plan_.lowCorner() + kCell * Eigen::Vector2d(column, row);
+  double distance(const Eigen::Vector2d& at) const { return plan_.distance(at.x(), at.y()); }
+  Eigen::Vector2d place(std::size_t column, std::size_t row) const {
+    return plan_.lowCorner() +
+           kCell * Eigen::Vector2d(static_cast<double>(column), static_cast<double>(row));
   }
-
   std::uint32_t addVertex(const Eigen::Vector2d& at, double above) {
-    return mesh_.addVertex(static_cast<float>(at.x()), static_cast<float>(at.y()),
-                           static_cast<float>(plan_.height(at.x(), at.y()) + above));
+    return mesh_.addVertex(toVec3(at, plan_.height(at.x(), at.y()) + above));
   }
 
   Row row(std::size_t r) const {
-    Row row{std::vector<double>(columns_), std::vector<std::uint32_t>(columns_, kNone),
-            std::vector<Cut>(columns_)};
-    for (std::size_t c = 0; c < columns_; ++c) {
-      const Eigen::Vector2d at = place(static_cast<double>(c), static_cast<double>(r));
-      row.distance[c] = plan_.distance(at.x(), at.y());
-    }
+    Row row{{}, std::vector<std::uint32_t>(columns_, kNone), std::vector<Cut>(columns_)};
+    for (std::size_t c = 0; c < columns_; ++c) row.distance.push_back(distance(place(c, r)));
     return row;
   }
 
   Node corner(Row& row, std::size_t c, std::size_t r) {
     const bool on_road = onRoad(row.distance[c]);
     if (row.vertices[c] == kNone) {
-      row.vertices[c] = addVertex(place(static_cast<double>(c), static_cast<double>(r)),
-                                  on_road ? 0 : StreetPlan::kKerbHeight);
+      row.vertices[c] = addVertex(place(c, r), on_road ? 0 : StreetPlan::kKerbHeight);
     }
     return {false, on_road, row.vertices[c], {}};
   }
@@ -115,10 +110,7 @@ class GroundMesher {
 
   /// Intersection of the kerb and an edge, by bisection, because the plan is finer than the grid.
   Eigen::Vector2d crossing(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
-    const auto road_at = [&](double t) {
-      const Eigen::Vector2d at = from + t * (to - from);
-      return onRoad(plan_.distance(at.x(), at.y()));
-    };
+    const auto road_at = [&](double t) { return onRoad(distance(from + t * (to - from))); };
     const bool start = road_at(0);
     double low = 0;
     double high = 1;
@@ -137,10 +129,8 @@ class GroundMesher {
     const std::array<Node, 4> corners = {corner(low, c, r), corner(low, c + 1, r),
                                          corner(high, c + 1, r + 1), corner(high, c, r + 1)};
     const std::array<Cut*, 4> cuts = {&low.cuts[c], &upward_[c + 1], &high.cuts[c], &upward_[c]};
-    const auto x = static_cast<double>(c);
-    const auto y = static_cast<double>(r);
-    const std::array<Eigen::Vector2d, 4> places = {place(x, y), place(x + 1, y),
-                                                   place(x + 1, y + 1), place(x, y + 1)};
+    const std::array<Eigen::Vector2d, 4> places = {place(c, r), place(c + 1, r),
+                                                   place(c + 1, r + 1), place(c, r + 1)};
     Ring ring;
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t next = (i + 1) % 4;
@@ -153,20 +143,17 @@ class GroundMesher {
       addSide(ring, true);
       addSide(ring, false);
     } else {
-      const Eigen::Vector2d middle = place(x + 0.5, y + 0.5);
-      addSaddle(ring, onRoad(plan_.distance(middle.x(), middle.y())));
+      addSaddle(ring, onRoad(distance(places[0] + Eigen::Vector2d::Constant(kCell / 2))));
     }
   }
 
   /// The part of a cell on one side of the kerb.
   void addSide(const Ring& ring, bool road) {
-    std::array<Node, 8> part;
-    std::size_t size = 0;
+    Ring part;
     for (std::size_t i = 0; i < ring.size; ++i) {
-      const Node& node = ring.at(i);
-      if (node.is_cut || node.on_road == road) part[size++] = node;
+      if (ring.at(i).is_cut || ring.at(i).on_road == road) part.add(ring.at(i));
     }
-    addPolygon({part.data(), size}, road);
+    addPolygon({part.nodes.data(), part.size}, road);
   }
 
   /// Cell whose opposite corners are on the same side: the side of the centre connects its corners.
@@ -199,30 +186,25 @@ class GroundMesher {
   void addSkirt(double horizon) {
     const Eigen::Vector2d low = plan_.lowCorner().array() - horizon;
     const Eigen::Vector2d size = plan_.highCorner() - low + Eigen::Vector2d::Constant(horizon);
-    const auto columns = static_cast<std::size_t>(std::ceil(size.x() / kSkirtCell)) + 1;
-    const auto rows = static_cast<std::size_t>(std::ceil(size.y() / kSkirtCell)) + 1;
+    const auto columns = static_cast<std::uint32_t>(std::ceil(size.x() / kSkirtCell)) + 1;
+    const auto rows = static_cast<std::uint32_t>(std::ceil(size.y() / kSkirtCell)) + 1;
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     std::vector<bool> covered;  // points well inside of the fine ground
-    for (std::size_t r = 0; r < rows; ++r) {
-      for (std::size_t c = 0; c < columns; ++c) {
-        const Eigen::Vector2d at =
-            low + kSkirtCell * Eigen::Vector2d(static_cast<double>(c), static_cast<double>(r));
-        const double distance = distanceBeyond(at);
-        covered.push_back(distance < StreetPlan::kFarthest - 2 * kSkirtCell);
-        const double below = distance < StreetPlan::kFarthest ? kSkirtBelowTown : kSkirtBelow;
-        addVertex(at, StreetPlan::kKerbHeight - below);
-      }
+    for (std::uint32_t i = 0; i < rows * columns; ++i) {
+      const Eigen::Vector2d at = low + kSkirtCell * Eigen::Vector2d(i % columns, i / columns);
+      const double away = distanceBeyond(at);
+      covered.push_back(away < StreetPlan::kFarthest - 2 * kSkirtCell);
+      const double below = away < StreetPlan::kFarthest ? kSkirtBelowTown : kSkirtBelow;
+      addVertex(at, StreetPlan::kKerbHeight - below);
     }
-    for (std::size_t r = 0; r + 1 < rows; ++r) {
-      for (std::size_t c = 0; c + 1 < columns; ++c) {
-        const std::size_t a = r * columns + c;
-        if (covered[a] && covered[a + 1] && covered[a + columns] && covered[a + columns + 1]) {
-          continue;
-        }
-        const auto at = [&](std::size_t i) { return first + static_cast<std::uint32_t>(i); };
-        mesh_.addTriangle(at(a), at(a + 1), at(a + columns + 1), surfaces_.land);
-        mesh_.addTriangle(at(a), at(a + columns + 1), at(a + columns), surfaces_.land);
+    for (std::uint32_t a = 0; a + columns < rows * columns; ++a) {
+      if (a % columns + 1 == columns) continue;
+      if (covered[a] && covered[a + 1] && covered[a + columns] && covered[a + columns + 1]) {
+        continue;
       }
+      const std::uint32_t corner = first + a;
+      mesh_.addTriangle(corner, corner + 1, corner + columns + 1, surfaces_.land);
+      mesh_.addTriangle(corner, corner + columns + 1, corner + columns, surfaces_.land);
     }
   }
 
@@ -230,7 +212,7 @@ class GroundMesher {
   double distanceBeyond(const Eigen::Vector2d& at) const {
     const bool inside = (at.array() >= plan_.lowCorner().array()).all() &&
                         (at.array() <= plan_.highCorner().array()).all();
-    return inside ? plan_.distance(at.x(), at.y()) : StreetPlan::kFarthest;
+    return inside ? distance(at) : StreetPlan::kFarthest;
   }
 
   const StreetPlan& plan_;

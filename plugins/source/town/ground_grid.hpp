@@ -5,12 +5,17 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 #include "street_path.hpp"
 
 namespace tolman::town {
+
+/// The rectangle that a grid covers.
+struct GridExtent {
+  Eigen::Vector2d low;   ///< m
+  Eigen::Vector2d high;  ///< m
+};
 
 class GroundGrid {
  public:
@@ -25,11 +30,34 @@ class GroundGrid {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   double cell() const { return cell_; }
+  GridExtent extent() const { return {low_, position(columns_ - 1, rows_ - 1)}; }
   Eigen::Vector2d position(int column, int row) const {
     return low_ + cell_ * Eigen::Vector2d(column, row);
   }
   float& value(int column, int row) { return values_[index(column, row)]; }
   float value(int column, int row) const { return values_[index(column, row)]; }
+
+  /// Calls body(column, row) for the points of the grid, row by row.
+  template <class Body>
+  void forEach(const Body& body) const {
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) body(column, row);
+    }
+  }
+  /// The same for the points at most `reach` m from a place along each axis, and a few more.
+  template <class Body>
+  void forEachNear(const Eigen::Vector2d& place, double reach, const Body& body) const {
+    const Eigen::Vector2d at = (place - low_) / cell_;
+    const int radius = static_cast<int>(std::ceil(reach / cell_)) + 1;
+    const int column = static_cast<int>(at.x());
+    const int row = static_cast<int>(at.y());
+    for (int r = std::max(row - radius, 0); r <= std::min(row + radius, rows_ - 1); ++r) {
+      for (int c = std::max(column - radius, 0); c <= std::min(column + radius, columns_ - 1);
+           ++c) {
+        body(c, r);
+      }
+    }
+  }
 
   /// Bilinear interpolation; outside of the grid the value at its edge. 0 for an empty grid.
   double at(double x, double y) const {
@@ -57,12 +85,6 @@ class GroundGrid {
   int columns_ = 0;
   int rows_ = 0;
   std::vector<float> values_;
-};
-
-/// The rectangle that a grid covers.
-struct GridExtent {
-  Eigen::Vector2d low;   ///< m
-  Eigen::Vector2d high;  ///< m
 };
 
 /// Distance to the nearest centreline, m, at most `farthest`, exact at the grid points. Cells are

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hall as triangles, and the path of the hand-held camera.
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,13 +10,15 @@
 #include "shapes.hpp"
 
 namespace tolman::town {
-
 namespace {
 
 constexpr auto kWestWall = static_cast<float>(Hall::kWest);
 constexpr auto kEastWall = static_cast<float>(Hall::kEast);
 constexpr auto kSouthWall = static_cast<float>(Hall::kSouth);
 constexpr auto kNorthWall = static_cast<float>(Hall::kNorth);
+constexpr auto kTop = static_cast<float>(Hall::kCeiling);
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kWalk = 0.8;  // m/s
 
 class HallBuilder {
  public:
@@ -25,9 +26,8 @@ class HallBuilder {
       : world_(world), floor_(static_cast<float>(floor)), seed_(seed) {}
 
   void build() {
-    const auto top = static_cast<float>(Hall::kCeiling);
     plate(floor_, {Material::Road, 0.3F});
-    plate(top, {Material::Kerb, 0.5F});
+    plate(kTop, {Material::Kerb, 0.5F});
     wall({kWestWall, kSouthWall}, {kEastWall, kSouthWall});
     wall({kEastWall, kSouthWall}, {kEastWall, kNorthWall});
     wall({kEastWall, kNorthWall}, {kWestWall, kNorthWall});
@@ -37,7 +37,7 @@ class HallBuilder {
     chests();
     for (const auto& [x, y] :
          {Corner{-3, -1.9F}, {-3, 1.9F}, {kWestWall + 0.6F, kSouthWall + 0.6F}}) {
-      box({x - 0.2F, y - 0.2F}, {x + 0.2F, y + 0.2F}, floor_, top, {Material::Wood, 0.35F});
+      box({x - 0.2F, y - 0.2F}, {x + 0.2F, y + 0.2F}, floor_, kTop, {Material::Wood, 0.35F});
     }
   }
 
@@ -55,13 +55,11 @@ class HallBuilder {
 
   std::uint32_t surface(const Finish& finish, const Vec3& origin = {},
                         const Vec3& along = {1, 0, 0}) {
-    Surface made;
-    made.material = finish.material;
-    made.tone = finish.tone;
-    made.seed = next();
-    made.origin = origin;
-    made.axis_u = along;
-    return world_.addSurface(made);
+    return world_.addSurface({.material = finish.material,
+                              .seed = next(),
+                              .tone = finish.tone,
+                              .origin = origin,
+                              .axis_u = along});
   }
   void plate(float z, const Finish& finish) {
     addQuad(world_.fixed,
@@ -80,31 +78,31 @@ class HallBuilder {
 
   /// A panelled wall with posters of many sizes.
   void wall(const Corner& a, const Corner& b) {
-    const auto top = static_cast<float>(Hall::kCeiling);
     const Vec3 from = {a.x, a.y, floor_};
     const float length = std::hypot(b.x - a.x, b.y - a.y);
     const Vec3 along = {(b.x - a.x) / length, (b.y - a.y) / length, 0};
     const Vec3 inward = {-along.y, along.x, 0};
-    addQuad(world_.fixed, {from, Vec3{b.x, b.y, floor_}, Vec3{b.x, b.y, top}, Vec3{a.x, a.y, top}},
+    addQuad(world_.fixed,
+            {from, Vec3{b.x, b.y, floor_}, Vec3{b.x, b.y, kTop}, Vec3{a.x, a.y, kTop}},
             surface({Material::Wood, 0.5F}, from, along));
     for (float at = 0.5F; at < length - 1.8F;) {
-      Surface poster;
-      poster.material = Material::Board;
-      poster.seed = next();
-      poster.tone = random(0.15F, 0.6F);
-      poster.width = random(0.6F, 1.7F);
-      poster.height = random(0.6F, 1.5F);
-      poster.axis_u = along;
+      Surface poster = {.material = Material::Board,
+                        .seed = next(),
+                        .tone = random(0.15F, 0.6F),
+                        .axis_u = along,
+                        .width = random(0.6F, 1.7F),
+                        .height = random(0.6F, 1.5F)};
       poster.origin = from + along * at + inward * 0.03F + Vec3{0, 0, random(1.0F, 2.2F)};
       const Vec3 right = along * poster.width;
       const Vec3 up = {0, 0, poster.height};
-      addQuad(
-          world_.fixed,
-          {poster.origin, poster.origin + right, poster.origin + right + up, poster.origin + up},
-          world_.addSurface(poster));
+      const Vec3& low = poster.origin;
+      addQuad(world_.fixed, {low, low + right, low + right + up, low + up},
+              world_.addSurface(poster));
       at += poster.width + random(0.3F, 1.1F);
     }
   }
+
+  // Draws in the order in which the arguments of calls have always been evaluated: from the last.
 
   /// Tables in the middle, round which the camera is carried, with objects on them.
   void tables() {
@@ -117,8 +115,9 @@ class HallBuilder {
       for (float x = -4.1F; x < -2.2F; x += random(0.3F, 0.6F)) {
         const float size = random(0.12F, 0.3F);
         const float back = y + random(0.05F, 0.55F);
+        const float tone = random(0.15F, 0.8F);
         box({x, back}, {x + size, back + size}, top, top + random(0.1F, 0.45F),
-            {Material::Board, random(0.15F, 0.8F)});
+            {Material::Board, tone});
       }
     }
   }
@@ -138,8 +137,10 @@ class HallBuilder {
       box(at, {at.x + 0.4F, at.y + length}, z, z + 0.03F, {Material::Wood, 0.4F});
       if (board == 3) break;
       for (float y = at.y + 0.03F; y < at.y + length - 0.35F; y += random(0.25F, 0.5F)) {
-        box({at.x + 0.05F, y}, {at.x + 0.35F, y + random(0.1F, 0.3F)}, z + 0.03F,
-            z + random(0.15F, 0.38F), {Material::Wood, random(0.1F, 0.8F)});
+        const float tone = random(0.1F, 0.8F);
+        const float top = z + random(0.15F, 0.38F);
+        box({at.x + 0.05F, y}, {at.x + 0.35F, y + random(0.1F, 0.3F)}, z + 0.03F, top,
+            {Material::Wood, tone});
       }
     }
   }
@@ -152,7 +153,8 @@ class HallBuilder {
         {-7.6F, kNorthWall - 1.2F}};
     for (const Corner& place : kPlaces) {
       const Corner end = {place.x + random(0.5F, 1.0F), place.y + random(0.4F, 0.8F)};
-      box(place, end, floor_, floor_ + random(0.4F, 1.2F), {Material::Wood, random(0.15F, 0.7F)});
+      const float tone = random(0.15F, 0.7F);
+      box(place, end, floor_, floor_ + random(0.4F, 1.2F), {Material::Wood, tone});
     }
   }
 
@@ -162,46 +164,23 @@ class HallBuilder {
   std::uint32_t number_ = 0;
 };
 
-}  // namespace
-
-Plot hallPlot() {
-  Plot plot;
-  plot.centre = {(Hall::kWest + Hall::kEast) / 2, (Hall::kSouth + Hall::kNorth) / 2};
-  plot.half_length = (Hall::kEast - Hall::kWest) / 2 + 2;
-  plot.half_depth = (Hall::kNorth - Hall::kSouth) / 2 + 2;
-  return plot;
-}
-
-void addHall(World& world, double floor, std::uint32_t seed) {
-  HallBuilder(world, floor, seed).build();
-}
-
-namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kWalk = 0.8;  // m/s
-
 double wave(double phase) { return std::sin(kTurn * phase); }
 
 /// Pose at `angle` (rad) of the ellipse, `seconds` and `metres` after the start.
 Eigen::Isometry3d handPose(double angle, double seconds, double metres) {
-  const Eigen::Vector2d place(
-      Hall::kMiddleX + Hall::kHalfAcross * std::cos(angle) + 0.12 * wave(metres / 5.3),
-      Hall::kHalfAlong * std::sin(angle));
   const Eigen::Vector2d along(-Hall::kHalfAcross * std::sin(angle),
                               Hall::kHalfAlong * std::cos(angle));
   const double azimuth = std::atan2(along.x(), along.y()) + 0.35 * wave(seconds / 6.1);
   const double height = 0.25 * wave(metres / 9.4) + 0.015 * wave(1.7 * seconds);
-  Eigen::Isometry3d level = Eigen::Isometry3d::Identity();
-  // Columns: right, down and forward of the camera in town axes (Z up).
-  level.linear() << std::cos(azimuth), 0, std::sin(azimuth), -std::sin(azimuth), 0,
-      std::cos(azimuth), 0, -1, 0;
-  level.translation() << place, height;
   const double pitch = 0.2 * wave(seconds / 8.3) + 0.01 * wave(1.7 * seconds);
   const double roll = 0.17 * wave(seconds / 4.9);
-  level.rotate(Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitX()));
-  level.rotate(Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()));
-  return level;
+  Eigen::Isometry3d pose = levelPose(azimuth);
+  pose.translation() << Hall::kMiddleX + Hall::kHalfAcross * std::cos(angle) +
+                            0.12 * wave(metres / 5.3),
+      Hall::kHalfAlong * std::sin(angle), height;
+  pose.rotate(Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitX()));
+  pose.rotate(Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()));
+  return pose;
 }
 
 }  // namespace
@@ -219,9 +198,9 @@ CameraRoute hallWalk(const RouteOptions& options) {
     angle +=
         step / std::hypot(Hall::kHalfAcross * std::sin(angle), Hall::kHalfAlong * std::cos(angle));
   }
-  const double below = options.camera_height + 0.3;
-  route.pads.push_back(
-      {{Hall::kWest - 2, Hall::kSouth - 2}, {Hall::kEast + 2, Hall::kNorth + 2}, -below});
+  route.pads.push_back({{Hall::kWest - 2, Hall::kSouth - 2},
+                        {Hall::kEast + 2, Hall::kNorth + 2},
+                        -(options.camera_height + 0.3)});
   return route;
 }
 
@@ -231,11 +210,22 @@ CameraRoute streetBesideHall(const CameraRoute& walk) {
   CameraRoute street = walk;
   const auto frames = static_cast<double>(walk.T_town_camera.size());
   for (std::size_t i = 0; i < walk.T_town_camera.size(); ++i) {
-    Eigen::Isometry3d& pose = street.T_town_camera[i];
-    pose.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-    pose.translation() << kAway, kLength * (static_cast<double>(i) / frames - 0.5), 0;
+    street.T_town_camera[i] = levelPose(0);
+    street.T_town_camera[i].translation() << kAway,
+        kLength * (static_cast<double>(i) / frames - 0.5), 0;
   }
   return street;
+}
+
+Plot hallPlot() {
+  return {{(Hall::kWest + Hall::kEast) / 2, (Hall::kSouth + Hall::kNorth) / 2},
+          Eigen::Vector2d::UnitX(),
+          (Hall::kEast - Hall::kWest) / 2 + 2,
+          (Hall::kNorth - Hall::kSouth) / 2 + 2};
+}
+
+void addHall(World& world, double floor, std::uint32_t seed) {
+  HallBuilder(world, floor, seed).build();
 }
 
 }  // namespace tolman::town

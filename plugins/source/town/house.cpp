@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One house: walls with facades, a roof, chimneys.
 #include "noise.hpp"
 #include "objects.hpp"
 #include "shapes.hpp"
@@ -17,20 +18,20 @@ class HouseBuilder {
         house_(house),
         length_(static_cast<float>(house.plot.half_length)),
         depth_(static_cast<float>(house.plot.half_depth)),
-        eaves_(kStorey * static_cast<float>(house.storeys) + 0.3F) {}
+        eaves_(kStorey * static_cast<float>(house.storeys) + 0.3F),
+        ridge_(eaves_) {}
 
   void build() {
-    const float rise = house_.roof == RoofShape::Flat ? 0.4F : between(draw(1), 0.6F, 1.1F);
     const bool to_street = house_.roof == RoofShape::ToStreet;
-    ridge_ =
-        house_.roof == RoofShape::Flat ? eaves_ : eaves_ + rise * (to_street ? length_ : depth_);
-    walls();
     if (house_.roof == RoofShape::Flat) {
+      walls();
       flatRoof();
-    } else {
-      gableRoof(to_street);
-      chimney();
+      return;
     }
+    ridge_ += between(draw(1), 0.6F, 1.1F) * (to_street ? length_ : depth_);
+    walls();
+    gableRoof(to_street);
+    chimney();
   }
 
  private:
@@ -45,24 +46,21 @@ class HouseBuilder {
 
   /// A wall from (u0, v0) to (u1, v1); `gable`: with a gable up to the ridge.
   void wall(float u0, float v0, float u1, float v1, bool gable) {
-    Surface facade;
-    facade.material = Material::Facade;
-    facade.seed = house_.seed;
-    facade.tone = between(draw(2), 0.3F, 0.8F);
-    facade.origin = at(u0, v0, 0);
+    Surface facade = {.material = Material::Facade,
+                      .seed = house_.seed,
+                      .tone = between(draw(2), 0.3F, 0.8F),
+                      .origin = at(u0, v0, 0)};
     const Vec3 span = at(u1, v1, 0) - facade.origin;
     facade.axis_u = normalised(span);
     facade.width = norm(span);
     facade.height = eaves_;
     const std::uint32_t surface = world_.addSurface(facade);
-    addQuad(world_.fixed,
-            {at(u0, v0, -kSunk), at(u1, v1, -kSunk), at(u1, v1, eaves_), at(u0, v0, eaves_)},
-            surface);
+    const Vec3 left = at(u0, v0, eaves_);
+    const Vec3 right = at(u1, v1, eaves_);
+    addQuad(world_.fixed, {at(u0, v0, -kSunk), at(u1, v1, -kSunk), right, left}, surface);
     if (!gable) return;
-    addTriangle(
-        world_.fixed,
-        {at(u0, v0, eaves_), at(u1, v1, eaves_), at(0.5F * (u0 + u1), 0.5F * (v0 + v1), ridge_)},
-        surface);
+    addTriangle(world_.fixed, {left, right, at(0.5F * (u0 + u1), 0.5F * (v0 + v1), ridge_)},
+                surface);
   }
 
   void walls() {
@@ -72,17 +70,6 @@ class HouseBuilder {
     wall(length_, -depth_, length_, depth_, along);
     wall(length_, depth_, -length_, depth_, to_street);
     wall(-length_, depth_, -length_, -depth_, along);
-  }
-
-  std::uint32_t roofSurface(const Vec3& origin, const Vec3& along, const Vec3& up) {
-    Surface roof;
-    roof.material = Material::Roof;
-    roof.seed = draw(3);
-    roof.tone = between(draw(4), 0.07F, 0.24F);
-    roof.origin = origin;
-    roof.axis_u = normalised(along);
-    roof.axis_v = normalised(up);
-    return world_.addSurface(roof);
   }
 
   /// A roof of two slopes. `to_street`: the ridge is perpendicular to the street.
@@ -97,29 +84,30 @@ class HouseBuilder {
       const float r = side * (run + kOverhang);
       const std::array<Vec3, 4> slope = {corner(r, -span, low), corner(r, span, low),
                                          corner(0, span, ridge_), corner(0, -span, ridge_)};
-      addQuad(world_.fixed, slope, roofSurface(slope[0], slope[1] - slope[0], slope[3] - slope[0]));
+      addQuad(world_.fixed, slope,
+              world_.addSurface({.material = Material::Roof,
+                                 .seed = draw(3),
+                                 .tone = between(draw(4), 0.07F, 0.24F),
+                                 .origin = slope[0],
+                                 .axis_u = normalised(slope[1] - slope[0]),
+                                 .axis_v = normalised(slope[3] - slope[0])}));
     }
   }
 
   void flatRoof() {
-    Surface rim;
-    rim.seed = draw(5);
-    rim.tone = between(draw(6), 0.2F, 0.5F);
     const float u = length_ + 0.15F;
     const float v = depth_ + 0.15F;
     addBox(world_.fixed, at(-u, -v, eaves_),
-           {direction(2 * u, 0), direction(0, 2 * v), Vec3{0, 0, 0.45F}}, world_.addSurface(rim));
+           {direction(2 * u, 0), direction(0, 2 * v), Vec3{0, 0, 0.45F}},
+           world_.addSurface({.seed = draw(5), .tone = between(draw(6), 0.2F, 0.5F)}));
   }
 
   void chimney() {
-    Surface stack;
-    stack.seed = draw(7);
-    stack.tone = between(draw(8), 0.12F, 0.3F);
     const float u = between(draw(9), -0.6F, 0.6F) * length_;
     const float v = between(draw(10), -0.3F, 0.3F) * depth_;
     addBox(world_.fixed, at(u, v, eaves_),
            {direction(0.6F, 0), direction(0, 0.6F), Vec3{0, 0, ridge_ - eaves_ + 0.7F}},
-           world_.addSurface(stack));
+           world_.addSurface({.seed = draw(7), .tone = between(draw(8), 0.12F, 0.3F)}));
   }
 
   World& world_;
@@ -127,7 +115,7 @@ class HouseBuilder {
   float length_;  // m, half
   float depth_;   // m, half
   float eaves_;
-  float ridge_ = 0;
+  float ridge_;
 };
 
 }  // namespace

@@ -9,8 +9,6 @@
 namespace tolman::town {
 namespace {
 
-
-
 LanePosition along(const Eigen::Vector2d& start, double heading, double curvature, double length) {
   const Eigen::Vector2d direction(std::cos(heading), std::sin(heading));
   if (curvature == 0) return {start + length * direction, direction};

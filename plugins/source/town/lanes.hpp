@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Eight points, normals and colours at once, in functions that are TOLMAN_WIDE_LANES: all that
-// takes them by value is inlined into these (eight_floats.hpp); others take references.
-// The functions of noise.hpp for eight points at once: the inner loops of every texture. Seeds are
-// numbers, one for all points, or EightWords.
-// Regular patterns averaged over the pixel, for eight points at once: closed-form box filters of
-// steps and stripes.
-// Placements of the instances that eight rays meet.
+// takes them by value is inlined into these (eight_floats.hpp); others take references. The noise
+// of noise.hpp and box-filtered patterns: the inner loops of every texture.
 #pragma once
 
 #include <array>
@@ -92,50 +88,36 @@ TOLMAN_INLINE Eight between(EightWords h, float low, float high) {
 }
 
 namespace detail {
-/// The words of as many lanes.
-template <class Floats>
-struct WordsOf;
-template <>
-struct WordsOf<Eight> {
-  using Type = EightWords;
-};
-
-// For any number of lanes, because the octaves of single points are computed in four (noise.cpp).
-template <class Floats>
 struct NoiseCells {
-  typename WordsOf<Floats>::Type index;
-  Floats fade;
+  EightWords index;
+  Eight fade;
 };
-template <class Floats>
-TOLMAN_INLINE NoiseCells<Floats> cellsOf(Floats x) {
-  auto i = __builtin_convertvector(x, decltype(x > x));
-  i += __builtin_convertvector(i, Floats) > x;  // a true lane is -1
-  const Floats f = x - __builtin_convertvector(i, Floats);
-  return {reinterpret_cast<typename WordsOf<Floats>::Type>(i), f * f * (3 - 2 * f)};
+TOLMAN_INLINE NoiseCells cellsOf(Eight x) {
+  EightInts i = truncated(x);
+  i += toFloat(i) > x;  // a true lane is -1
+  const Eight f = x - toFloat(i);
+  return {words(i), f * f * (3 - 2 * f)};
 }
 /// lattice() of each lane, from the combined products with its constants.
-template <class Floats>
-TOLMAN_INLINE Floats latticeOf(typename WordsOf<Floats>::Type h) {
+TOLMAN_INLINE Eight latticeOf(EightWords h) {
   h = (h ^ (h >> 15)) * 0x846ca68bU;
   h ^= h >> 13;
-  const auto integers = reinterpret_cast<decltype(Floats{} > Floats{})>(h);
-  return __builtin_convertvector(integers, Floats) * 0x1.0p-31F;
+  return toFloat(reinterpret_cast<EightInts>(h)) * 0x1.0p-31F;
 }
 /// Noise in the plane of the cells; `z` is the seed times its constant.
-template <class Floats, class Word>
-TOLMAN_INLINE Floats planeNoise(const NoiseCells<Floats>& cx, const NoiseCells<Floats>& cy,
-                                Word z) {
+template <class Word>
+TOLMAN_INLINE Eight planeNoise(const NoiseCells& cx, const NoiseCells& cy, Word z) {
   const auto x0 = cx.index * 0x8da6b343U;
   const auto x1 = x0 + 0x8da6b343U;
   const auto y = cy.index * 0xd8163841U;
   const auto y0 = y ^ z;
   const auto y1 = (y + 0xd8163841U) ^ z;
-  const auto a = latticeOf<Floats>(x0 ^ y0);
-  const auto b = latticeOf<Floats>(x1 ^ y0);
-  const auto c = latticeOf<Floats>(x0 ^ y1);
-  const auto d = latticeOf<Floats>(x1 ^ y1);
-  const Floats low = a + (b - a) * cx.fade;
-  const Floats high = c + (d - c) * cx.fade;
+  const auto a = latticeOf(x0 ^ y0);
+  const auto b = latticeOf(x1 ^ y0);
+  const auto c = latticeOf(x0 ^ y1);
+  const auto d = latticeOf(x1 ^ y1);
+  const Eight low = a + (b - a) * cx.fade;
+  const Eight high = c + (d - c) * cx.fade;
   return low + (high - low) * cy.fade;
 }
 }  // namespace detail
@@ -147,9 +129,9 @@ TOLMAN_INLINE Eight noise2(Eight x, Eight y, Seed seed) {
 
 template <class Seed>
 TOLMAN_INLINE Eight noise3(const Vec3s& p, Seed seed) {
-  const detail::NoiseCells<Eight> cx = detail::cellsOf(p.x);
-  const detail::NoiseCells<Eight> cy = detail::cellsOf(p.y);
-  const detail::NoiseCells<Eight> cz = detail::cellsOf(p.z);
+  const detail::NoiseCells cx = detail::cellsOf(p.x);
+  const detail::NoiseCells cy = detail::cellsOf(p.y);
+  const detail::NoiseCells cz = detail::cellsOf(p.z);
   const EightWords plane = seed + cz.index * 0x68bc21ebU;
   const Eight low = detail::planeNoise(cx, cy, plane * 0xcb1ab31fU);
   const Eight high = detail::planeNoise(cx, cy, (plane + 0x68bc21ebU) * 0xcb1ab31fU);

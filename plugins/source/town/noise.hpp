@@ -83,7 +83,17 @@ inline float survives(float wavelength, float footprint) {
 
 /// Sum of at most four octaves of noise2, the first of `wavelength` (m), each faded by `footprint`;
 /// in about [-1, 1].
-float fractal2(float x, float y, float wavelength, int octaves, float footprint,
-               std::uint32_t seed);
+inline float fractal2(float x, float y, float wavelength, int octaves, float footprint,
+                      std::uint32_t seed) {
+  constexpr float kAmplitudes[] = {0.55F, 0.385F, 0.2695F, 0.18865F};
+  float terms[4] = {};
+  float scale = 1 / wavelength;
+  for (int i = 0; i < octaves; ++i, scale *= 2) {
+    const float weight = kAmplitudes[i] * survives(1 / scale, footprint);
+    if (weight <= 0) break;
+    terms[i] = weight * noise2(x * scale, y * scale, seed + static_cast<std::uint32_t>(i));
+  }
+  return (terms[0] + terms[1]) + (terms[2] + terms[3]);
+}
 
 }  // namespace tolman::town

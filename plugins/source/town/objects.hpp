@@ -2,16 +2,31 @@
 // The makers of everything that stands in the town.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "plots.hpp"
-#include "street_plan.hpp"
-#include "tolman/context.hpp"
 #include "world.hpp"
 
 namespace tolman::town {
+
+bool overlap(const Plot& a, const Plot& b);
+
+/// Keeps plots from overlapping.
+class PlotBook {
+ public:
+  explicit PlotBook(const StreetPlan& plan) : plan_(&plan) {}
+
+  /// Registers the plot if it is free and at least `clearance` m from every centreline. Its half
+  /// dimensions must be below 35 m.
+  bool enter(const Plot& plot, double clearance);
+
+ private:
+  bool clearOfStreets(const Plot& plot, double clearance) const;
+
+  const StreetPlan* plan_;
+  std::vector<Plot> plots_;
+  PointGrid grid_{50};  // m; so large that plots that overlap are in neighbouring cells
+};
 
 enum class RoofShape : std::uint8_t { AlongStreet, ToStreet, Flat };
 
@@ -37,7 +52,7 @@ void addLamp(World& world, const Stand& stand);
 void addSign(World& world, const Stand& stand);
 void addPoster(World& world, const Stand& stand);
 
-/// A fence or a hedge over the plot's length; `hedge` is as deep as the plot.
+/// A fence or a hedge over the plot's length; a hedge is as deep as the plot.
 void addFence(World& world, const Plot& plot, double ground, std::uint32_t seed);
 void addHedge(World& world, const Plot& plot, double ground, std::uint32_t seed);
 
@@ -73,23 +88,7 @@ struct Prototypes {
 
 Prototypes addPrototypes(World& world, std::uint32_t seed);
 
-// The makers, one kind each; each returns the index of its prototype.
-std::uint32_t addBroadleaf(World& world, float height, float clear_trunk, std::uint32_t seed);
-std::uint32_t addConifer(World& world, float height, std::uint32_t seed);
-std::uint32_t addBush(World& world, float size, std::uint32_t seed);
-
-/// Side view of a car: what differs between the kinds.
-struct CarShape {
-  float length = 4.2F;
-  float height = 1.45F;
-  float bonnet = 1.05F;  ///< m from the front to the windscreen's foot
-  float screen = 0.75F;  ///< m that the windscreen leans back
-  float tail = 0.3F;     ///< m that the rear window leans
-  float boot = 0.0F;     ///< m of boot behind the rear window
-};
-std::uint32_t addCar(World& world, const CarShape& shape);
-
-/// Indices of instances.
+/// Instances of winter or of another day, at the places of usual ones; one of the two is shown.
 struct Exchange {
   std::vector<std::size_t> usual;
   std::vector<std::size_t> other;

@@ -78,10 +78,10 @@ void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) co
     instances[i] = rays.hit.instID[0][first + i];
     const Scene::Owner owner = around_.scene->ownerOf(instances[i], rays.hit.primID[first + i]);
     hit[i] = ~0U;
-    m.surface[i] = owner.surface;
+    m.surface[i] = owner.number;
     m.instance[i] = owner.instance;
     m.instance_index[i] = instances[i];
-    if (around_.scene->surface(owner.surface).material == Material::Leaves) foliage[i] = ~0U;
+    if (owner.surface->material == Material::Leaves) foliage[i] = ~0U;
     if (owner.instance == nullptr) continue;
     placed[i] = ~0U;
     seeds[i] = owner.instance->seed;
@@ -231,26 +231,20 @@ void RayPacket::weather(const Meetings& m, const SurfaceHits& hits, Eight& tone)
   }
 }
 
-float RayPacket::lampLight(const Vec3& point, const Vec3& normal) const {
-  float sum = headlightsOnto(around_.light->headlights, point, normal);
-  if (around_.lamps != nullptr) sum += around_.lamps->onto(point, normal);
-  return around_.light->lamps * sum;
-}
-
-/// Adds the light of lamps on the points, and what shines by itself.
+/// Adds the light of lamps on the points, and what shines by itself: heads of lamps and windows.
 void RayPacket::addLamps(const Meetings& m, const SurfaceHits& hits, const Eight& tone,
                          Eight& radiance) const {
-  for (int i = 0; i < kLanes; ++i) {
-    if (m.hit[i] != 0) radiance[i] += tone[i] * lampLight(lane(m.point, i), lane(m.normal, i));
-  }
-  glow(m, hits, radiance);
-}
-
-/// Adds emitted radiance: of heads of lamps and lit windows.
-void RayPacket::glow(const Meetings& m, const SurfaceHits& hits, Eight& radiance) const {
   constexpr float kLamp = 6;
   constexpr float kWindow = 0.12F;
   const float lamps = around_.light->lamps;
+  for (int i = 0; i < kLanes; ++i) {
+    if (m.hit[i] == 0) continue;
+    const Vec3 point = lane(m.point, i);
+    const Vec3 normal = lane(m.normal, i);
+    float sum = headlightsOnto(around_.light->headlights, point, normal);
+    if (around_.lamps != nullptr) sum += around_.lamps->onto(point, normal);
+    radiance[i] += tone[i] * (lamps * sum);
+  }
   forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_INLINE_LAMBDA {
     if (surface.material == Material::Facade) {
       Eight windows;

@@ -76,8 +76,6 @@ class RayPacket {
                 Eight& radiance) const;
   void weather(const Meetings& meetings, const SurfaceHits& hits, Eight& tone) const;
   void mirrorShares(const Meetings& meetings, Eight& shares) const;
-  void glow(const Meetings& meetings, const SurfaceHits& hits, Eight& radiance) const;
-  float lampLight(const Vec3& point, const Vec3& normal) const;
   SurfaceHits hitsOf(const Meetings& meetings) const;
   template <class Body>
   void forEachSurface(const Meetings& meetings, const Body& body) const;

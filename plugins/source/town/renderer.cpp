@@ -6,43 +6,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <vector>
 
 #include "ray_packet.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::town {
-
-/// What the first rays of an image found, row-major.
-struct FirstLook {
-  const std::vector<float>& radiance;
-  const std::vector<float>& depth;         ///< 0 for sky
-  const std::vector<std::uint32_t>& seen;  ///< Shaded::seen
-  int width;
-  int height;
-};
-
-/// Sets `edges` of the pixels of a row: 1 where a neighbour above, below or beside differs in
-/// radiance and belongs to another object, light or plane.
-void findEdges(const FirstLook& look, int row, std::uint32_t* edges);
-
 namespace {
 
 /// Contrast below the noise of the camera, which is not smoothed: relative, and absolute radiance.
 constexpr float kFaint = 0.04F;
 constexpr float kDim = 0.012F;
 
-/// A row, with pointers to each pixel's neighbours in one direction.
+/// A row, with pointers to each pixel's neighbours in one direction: before, here, after.
 struct Neighbours {
-  const float* radiance[3];  // before, here, after
+  const float* radiance[3];
   const float* depth[3];
   const std::uint32_t* seen[3];
 };
 
 [[gnu::always_inline]] inline float inverseOf(float depth) { return depth > 0 ? 1 / depth : 0.0F; }
 
-/// Without branches, so that loops over it are vectorised.
+/// Whether a neighbour differs in radiance and belongs to another object, light or plane. Without
+/// branches, so that loops over it are vectorised.
 [[gnu::always_inline]] inline std::uint32_t differs(const Neighbours& of, int before, int here,
                                                     int after) {
   const float radiance = of.radiance[1][here];
@@ -59,8 +44,9 @@ struct Neighbours {
   return is_visible & ((change != 0 ? 1U : 0U) | (bends & has_faces));
 }
 
+/// Sets `edges` of the pixels of a row: 1 where they need more rays than one.
 TOLMAN_WIDE_LANES
-void findInRow(const Neighbours& beside, const Neighbours& above, int width, std::uint32_t* edges) {
+void findEdges(const Neighbours& beside, const Neighbours& above, int width, std::uint32_t* edges) {
   const Neighbours b = beside;
   const Neighbours a = above;
   for (int c = 1; c < width - 1; ++c) {
@@ -70,28 +56,6 @@ void findInRow(const Neighbours& beside, const Neighbours& above, int width, std
     edges[c] = differs(b, std::max(c - 1, 0), c, std::min(c + 1, width - 1)) | differs(a, c, c, c);
   }
 }
-
-}  // namespace
-
-void findEdges(const FirstLook& look, int row, std::uint32_t* edges) {
-  const auto at = [&](int r) {
-    return static_cast<std::size_t>(std::clamp(r, 0, look.height - 1)) *
-           static_cast<std::size_t>(look.width);
-  };
-  const auto rows = [&](int reach) {
-    Neighbours of = {};
-    for (int i = 0; i < 3; ++i) {
-      const std::size_t first = at(row + reach * (i - 1));
-      of.radiance[i] = look.radiance.data() + first;
-      of.depth[i] = look.depth.data() + first;
-      of.seen[i] = look.seen.data() + first;
-    }
-    return of;
-  };
-  findInRow(rows(0), rows(1), look.width, edges);
-}
-
-namespace {
 
 /// Positions within a pixel of the extra rays of edges, in pairs about its centre.
 constexpr std::array<std::array<float, 2>, 8> kWithinPixel = {{{-0.25F, -0.33F},
@@ -110,17 +74,13 @@ class Renderer::Rays {
  public:
   Rays(const Renderer& renderer, const RenderCamera& view)
       : width(view.width),
-        height(view.height),
         warp_(view.warp != nullptr && !view.warp->isEmpty() ? view.warp : nullptr),
         cx_(static_cast<float>(view.pinhole.cx)),
         cy_(static_cast<float>(view.pinhole.cy)) {
-    around.scene = renderer.scene_;
-    around.plan = renderer.plan_;
-    around.light = &renderer.light_;
-    around.lamps = renderer.light_.lamps > 0 ? &renderer.scene_->lamps() : nullptr;
     const Row middle = rowFrom(view.T_town_camera, view.pinhole);
-    around.pixel_x = middle.pixel_x;
-    around.pixel_y = middle.pixel_y;
+    const Light& light = renderer.light_;
+    const StreetLamps* lamps = light.lamps > 0 ? &renderer.scene_->lamps() : nullptr;
+    around = {renderer.scene_, renderer.plan_, &light, lamps, middle.pixel_x, middle.pixel_y};
     if (view.T_town_rows.empty()) rows_.assign(1, middle);
     for (const Eigen::Isometry3d& T_town_row : view.T_town_rows) {
       rows_.push_back(rowFrom(T_town_row, view.pinhole));
@@ -132,9 +92,8 @@ class Renderer::Rays {
     float u = static_cast<float>(column) + x;
     float v = static_cast<float>(row) + y;
     if (warp_ != nullptr) {
-      const std::size_t at = index(column, row);
-      u += warp_->x[at];
-      v += warp_->y[at];
+      u += warp_->x[index(column, row)];
+      v += warp_->y[index(column, row)];
     }
     packet.add(from.origin, from.axis + from.pixel_x * (u - cx_) + from.pixel_y * (v - cy_));
   }
@@ -144,7 +103,6 @@ class Renderer::Rays {
   }
 
   int width;
-  int height;
   Surroundings around;
 
  private:
@@ -234,10 +192,21 @@ void Renderer::render(const RenderCamera& view, RenderedImage& picture) {
   everyStrip([&](int first, int end) { firstPass(rays, first, end, picture); });
   if (edge_samples_ == 0) return;
   edges_.resize(pixels);
-  everyStrip([&](int first, int end) {  // for all strips before any pixel is changed
-    const FirstLook look = {picture.radiance, picture.depth, seen_, view.width, view.height};
+  // For all strips before any pixel is changed.
+  everyStrip([&](int first, int end) {
     for (int row = first; row < end; ++row) {
-      findEdges(look, row, edges_.data() + rays.index(0, row));
+      const auto around = [&](int reach) {
+        Neighbours of = {};
+        for (int i = 0; i < 3; ++i) {
+          const std::size_t at =
+              rays.index(0, std::clamp(row + reach * (i - 1), 0, view.height - 1));
+          of.radiance[i] = picture.radiance.data() + at;
+          of.depth[i] = picture.depth.data() + at;
+          of.seen[i] = seen_.data() + at;
+        }
+        return of;
+      };
+      findEdges(around(0), around(1), view.width, edges_.data() + rays.index(0, row));
     }
   });
   everyStrip([&](int first, int end) { smoothEdges(rays, first, end, picture); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -26,7 +27,7 @@ enum class Building : std::uint8_t { None, CarPark, Hall };
 struct CameraRoute {
   std::string name;
   std::vector<std::int64_t> stamps_ns;
-  /// Left camera (x right, y down, z forward) to town axes (see mesh.hpp); the first is the
+  /// Left camera (x right, y down, z forward) to town axes (see world.hpp); the first is the
   /// origin, looking along Y.
   std::vector<Eigen::Isometry3d> T_town_camera;
   /// Whether each frame is on a floor of the car park, whose height is not used for streets and
@@ -37,6 +38,12 @@ struct CameraRoute {
   bool is_highway = false;  ///< guard rails and open land
 
   bool isRaised(std::size_t frame) const { return frame < raised.size() && raised[frame]; }
+  /// Adds the next frame at `rate` frames a second.
+  void add(const Eigen::Isometry3d& pose, double rate) {
+    const auto frame = static_cast<double>(stamps_ns.size());
+    stamps_ns.push_back(std::llround(frame * 1e9 / rate));
+    T_town_camera.push_back(pose);
+  }
 };
 
 struct RouteOptions {
@@ -46,14 +53,17 @@ struct RouteOptions {
 };
 
 /// `block` (about 300 m, once round and beyond the start: one loop), `eights`, `district`,
-/// `highway`, `car_park` (five floors, up and down twice), `hall` (hand-held, see hall.hpp). Other
-/// names are InvalidParameter; the message lists these.
+/// `highway`, `car_park` (five floors, up and down twice), `hall` (hand-held). Other names are
+/// InvalidParameter; the message lists these.
 Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options);
 
 /// Reads a KITTI pose file: T_world_camera as twelve numbers per line. Refuses an empty file, a
 /// line without twelve finite numbers, a matrix that is not a rotation, and poses too far apart for
 /// a drive. The message has file, line, error and remedy.
 Result<CameraRoute> readRoute(const std::filesystem::path& file, const RouteOptions& options);
+
+/// At the origin; azimuth from Y to X, rad.
+Eigen::Isometry3d levelPose(double azimuth);
 
 /// A flight along the same streets, 0 to 4 m above the first camera as a function of the place.
 /// Pitch and roll of up to 8 degrees are functions of time, so they differ between passes.

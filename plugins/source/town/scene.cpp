@@ -41,50 +41,49 @@ void copyHalf(const RTCRayHit8& from, std::size_t half, RTCRayHit16& to) {
   }
 }
 
+RTCIntersectContext coherent() {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  return context;
+}
+
 GroundArea boxOf(const Mesh& mesh) {
   GroundArea box = {{1e9F, 1e9F, 1e9F}, {-1e9F, -1e9F, -1e9F}};
-  for (const Mesh::Vertex& v : mesh.vertices) {
+  for (const Vec3& v : mesh.vertices) {
     box.low = {std::min(box.low.x, v.x), std::min(box.low.y, v.y), std::min(box.low.z, v.z)};
     box.high = {std::max(box.high.x, v.x), std::max(box.high.y, v.y), std::max(box.high.z, v.z)};
   }
   return box;
 }
 
-RTCScene newScene(RTCDevice device) {
-  RTCScene scene = rtcNewScene(device);
-  // Watertight, so that a ray hits the same triangle with any search structure.
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  return scene;
-}
-
 }  // namespace
 
-Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
+Scene::Scene(World world)
+    : world_(std::move(world)), lamps_(world_.lamp_heads), device_(rtcNewDevice(nullptr)) {
   if (!device_ && rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU) {
     throw std::runtime_error("Embree does not know this processor");
   }
   if (!device_) throw std::bad_alloc();  // or no memory for its threads
   has_packets_of_16_ =
       rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
-  fixed_.reset(newScene(device_.get()));
-  placed_.reset(newScene(device_.get()));
-  surfaces_ = std::move(world.surfaces);
-  fixed_surfaces_ = std::move(world.fixed.surfaces);
-  lamps_ = StreetLamps(world.lamp_heads);
-  town_ = world.area;
-  ground_triangles_ = world.ground_triangles;
-  fixed_triangles_ = attachMesh(fixed_.get(), world.fixed);
-  rtcCommitScene(fixed_.get());
-  for (Mesh& prototype : world.prototypes) {
-    prototype_scenes_.emplace_back(newScene(device_.get()));
-    attachMesh(prototype_scenes_.back().get(), prototype);
+  fixed_ = sceneOf(&world_.fixed);
+  placed_ = sceneOf(nullptr);
+  for (Mesh& prototype : world_.prototypes) {
     boxes_.push_back(boxOf(prototype));
-    rtcCommitScene(prototype_scenes_.back().get());
-    prototype_surfaces_.push_back(std::move(prototype.surfaces));
+    prototypes_.push_back(sceneOf(&prototype));
   }
-  instances_ = std::move(world.instances);
-  has_moved_.resize(instances_.size());
-  for (const MeshInstance& instance : instances_) attachInstance(instance);
+  has_moved_.resize(world_.instances.size());
+  for (const MeshInstance& instance : world_.instances) {
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, prototypes_.at(instance.prototype).get());
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            matrixOf(instance.placement).data());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(placed_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+    geometries_.push_back(geometry);
+  }
   commit();
 }
 
@@ -95,45 +94,38 @@ void Scene::check(const char* what) {
   throw std::runtime_error(std::string("Embree: ") + what + " failed");
 }
 
-Scene::Triangles Scene::attachMesh(RTCScene scene, const Mesh& mesh) {
+Scene::SceneHandle Scene::sceneOf(Mesh* mesh) {
+  SceneHandle scene(rtcNewScene(device_.get()));
+  // Watertight, so that a ray hits the same triangle with any search structure.
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  if (mesh == nullptr) return scene;
+  const std::size_t vertices = mesh->vertices.size();
+  mesh->vertices.emplace_back();  // Embree reads 16 bytes of each
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           sizeof(Mesh::Vertex), mesh.vertices.size());
-  void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                            sizeof(Mesh::Triangle), mesh.triangles.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             mesh->vertices.data(), 0, sizeof(Mesh::Vertex), vertices);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh->triangles.data(), 0, sizeof(Mesh::Triangle),
+                             mesh->triangles.size());
   check("taking a mesh");
-  std::memcpy(vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Mesh::Vertex));
-  std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(Mesh::Triangle));
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
+  rtcAttachGeometry(scene.get(), geometry);
   rtcReleaseGeometry(geometry);
-  triangles_ += mesh.triangles.size();
-  return {static_cast<const Mesh::Vertex*>(vertices),
-          {static_cast<const Mesh::Triangle*>(triangles), mesh.triangles.size()}};
-}
-
-void Scene::attachInstance(const MeshInstance& instance) {
-  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(geometry, prototype_scenes_.at(instance.prototype).get());
-  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                          matrixOf(instance.placement).data());
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(placed_.get(), geometry);
-  rtcReleaseGeometry(geometry);
-  instance_geometries_.push_back(geometry);
+  rtcCommitScene(scene.get());
+  triangles_ += mesh->triangles.size();
+  return scene;
 }
 
 void Scene::move(std::size_t index, const Placement& placement) {
-  instances_.at(index).placement = placement;
+  world_.instances.at(index).placement = placement;
   has_moved_[index] = true;
-  rtcSetGeometryTransform(instance_geometries_[index], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+  rtcSetGeometryTransform(geometries_[index], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                           matrixOf(placement).data());
-  rtcCommitGeometry(instance_geometries_[index]);
+  rtcCommitGeometry(geometries_[index]);
 }
 
 void Scene::show(std::size_t index, bool shown) {
-  RTCGeometry geometry = instance_geometries_.at(index);
-  shown ? rtcEnableGeometry(geometry) : rtcDisableGeometry(geometry);
+  (shown ? rtcEnableGeometry : rtcDisableGeometry)(geometries_.at(index));
 }
 
 void Scene::commit() {
@@ -143,9 +135,7 @@ void Scene::commit() {
 
 void Scene::intersect(const int* valid, RTCRayHit16& rays) const {
   if (has_packets_of_16_) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCIntersectContext context = coherent();
     rtcIntersect16(valid, fixed_.get(), &context, &rays);
     rtcIntersect16(valid, placed_.get(), &context, &rays);
     return;
@@ -159,17 +149,13 @@ void Scene::intersect(const int* valid, RTCRayHit16& rays) const {
 }
 
 void Scene::intersect(const int* valid, RTCRayHit8& rays) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCIntersectContext context = coherent();
   rtcIntersect8(valid, fixed_.get(), &context, &rays);
   rtcIntersect8(valid, placed_.get(), &context, &rays);
 }
 
 void Scene::occlude(const int* by_fixed, const int* by_placed, RTCRay8& rays) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCIntersectContext context = coherent();
   const auto wanted = [](const int* valid) {
     return std::any_of(valid, valid + 8, std::identity());
   };
@@ -180,11 +166,11 @@ void Scene::occlude(const int* by_fixed, const int* by_placed, RTCRay8& rays) co
 void Scene::setSun(const Vec3& to_sun) {
   const bool is_new = to_sun.x != to_sun_.x || to_sun.y != to_sun_.y || to_sun.z != to_sun_.z;
   to_sun_ = to_sun;
-  if (is_new) shadows_.start(to_sun, town_);
+  if (is_new) shadows_.start(to_sun, world_.area);
   if (!shadows_.isOn()) return;
   if (is_new) markFixed(to_sun);
   shadows_.forgetMoving();
-  for (std::size_t i = 0; i < instances_.size(); ++i) {
+  for (std::size_t i = 0; i < world_.instances.size(); ++i) {
     if (is_new || has_moved_[i]) markInstance(i);
   }
 }
@@ -192,24 +178,19 @@ void Scene::setSun(const Vec3& to_sun) {
 /// A ray to the sun first meets a closed surface where that faces away from the sun. So the ground,
 /// whose underside no ray sees, only needs to be marked there and where it is about upright.
 void Scene::markFixed(const Vec3& to_sun) {
-  const auto corner = [&](std::uint32_t i) {
-    const Mesh::Vertex& v = fixed_triangles_.vertices[i];
-    return Vec3{v.x, v.y, v.z};
-  };
-  for (std::size_t i = 0; i < fixed_triangles_.triangles.size(); ++i) {
-    const auto& [a, b, c] = fixed_triangles_.triangles[i];
-    const std::array<Vec3, 3> corners = {corner(a), corner(b), corner(c)};
+  for (std::size_t i = 0; i < world_.fixed.triangles.size(); ++i) {
+    const std::array<Vec3, 3> corners = world_.fixed.corners(i);
     Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     if (normal.z < 0) normal = normal * -1;
     const bool is_level = normal.z > 0.1F * norm(normal);
     const bool faces = is_level && dot(normal, to_sun) > 0.02F * norm(normal);
-    if (i >= ground_triangles_ || !faces) shadows_.mark(corners);
+    if (i >= world_.ground_triangles || !faces) shadows_.mark(corners);
   }
 }
 
 void Scene::markInstance(std::size_t index) {
-  const Placement& p = instances_[index].placement;
-  const auto& [low, high] = boxes_[instances_[index].prototype];
+  const Placement& p = world_.instances[index].placement;
+  const auto& [low, high] = boxes_[world_.instances[index].prototype];
   std::array<Vec3, 8> corners;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3 own = Vec3{(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
@@ -221,9 +202,11 @@ void Scene::markInstance(std::size_t index) {
 }
 
 Scene::Owner Scene::ownerOf(std::uint32_t instance, std::uint32_t primitive) const {
-  if (instance == RTC_INVALID_GEOMETRY_ID) return {fixed_surfaces_[primitive], nullptr};
-  const MeshInstance& found = instances_[instance];
-  return {prototype_surfaces_[found.prototype][primitive], &found};
+  const bool is_fixed = instance == RTC_INVALID_GEOMETRY_ID;
+  const MeshInstance* found = is_fixed ? nullptr : &world_.instances[instance];
+  const Mesh& mesh = is_fixed ? world_.fixed : world_.prototypes[found->prototype];
+  const std::uint32_t number = mesh.surfaces[primitive];
+  return {&world_.surfaces[number], number, found};
 }
 
 }  // namespace tolman::town

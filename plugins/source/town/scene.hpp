@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "light.hpp"
@@ -22,8 +21,8 @@ inline constexpr std::uint32_t kNoInstance = RTC_INVALID_GEOMETRY_ID;
 
 class Scene {
  public:
-  /// Builds the search structures; stores the surfaces and passes the triangles to Embree. Throws
-  /// std::runtime_error if Embree fails, std::bad_alloc for lack of memory.
+  /// Builds the search structures. Throws std::runtime_error if Embree fails, std::bad_alloc for
+  /// lack of memory.
   explicit Scene(World world);
 
   /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
@@ -39,11 +38,12 @@ class Scene {
   void setSun(const Vec3& to_sun);
 
   struct Owner {
-    std::uint32_t surface;         ///< index into surfaces()
+    const Surface* surface;
+    std::uint32_t number;          ///< of the surface
     const MeshInstance* instance;  ///< null for fixed geometry
   };
   Owner ownerOf(std::uint32_t instance, std::uint32_t primitive) const;
-  const Surface& surface(std::uint32_t index) const { return surfaces_[index]; }
+  const Surface& surface(std::uint32_t number) const { return world_.surfaces[number]; }
 
   const StreetLamps& lamps() const { return lamps_; }
   /// Instances are shown until hidden.
@@ -61,38 +61,27 @@ class Scene {
   using Device = std::unique_ptr<RTCDeviceTy, Release>;
   using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
 
-  /// The copies that Embree has of a mesh.
-  struct Triangles {
-    const Mesh::Vertex* vertices = nullptr;
-    std::span<const Mesh::Triangle> triangles;
-  };
-  Triangles attachMesh(RTCScene scene, const Mesh& mesh);
+  /// A new scene, with the mesh if one is given; its buffers stay those of the mesh.
+  SceneHandle sceneOf(Mesh* mesh);
+  void check(const char* what);
   void markFixed(const Vec3& to_sun);
   void markInstance(std::size_t index);
-  void attachInstance(const MeshInstance& instance);
-  void check(const char* what);
 
+  World world_;
+  StreetLamps lamps_;
   Device device_;
+  bool has_packets_of_16_;  ///< the processor has instructions for them
   // Two scenes, because a commit builds the whole search structure of its scene anew: a car that
   // moves must not rebuild that of all streets and houses.
   SceneHandle fixed_;   // the fixed mesh
   SceneHandle placed_;  // the instances; instance i is geometry i
-  std::vector<SceneHandle> prototype_scenes_;
-  SurfaceTable surfaces_;
-  std::vector<std::uint32_t> fixed_surfaces_;
-  std::vector<std::vector<std::uint32_t>> prototype_surfaces_;
-  std::vector<MeshInstance> instances_;
-  std::vector<RTCGeometry> instance_geometries_;  // owned by placed_
-  StreetLamps lamps_;
+  std::vector<SceneHandle> prototypes_;
+  std::vector<RTCGeometry> geometries_;  // of instances; owned by placed_
+  std::vector<GroundArea> boxes_;        ///< around the prototypes
+  std::vector<bool> has_moved_;          ///< instances that are not where they were at first
   std::size_t triangles_ = 0;
   ShadowGrid shadows_;
-  GroundArea town_;
   Vec3 to_sun_ = {0, 0, 0};
-  Triangles fixed_triangles_;
-  std::size_t ground_triangles_ = 0;  ///< the first ones of the fixed mesh
-  std::vector<GroundArea> boxes_;     ///< around the prototypes
-  std::vector<bool> has_moved_;       ///< instances that are not where they were at first
-  bool has_packets_of_16_ = false;    ///< the processor has instructions for them
 };
 
 }  // namespace tolman::town

@@ -4,14 +4,11 @@
 #include <map>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "noise.hpp"
 
 namespace tolman::town {
 namespace {
-
-std::uint32_t add(Mesh& mesh, const Vec3& p) { return mesh.addVertex(p.x, p.y, p.z); }
 
 /// A sphere, by subdivision of an icosahedron.
 struct Sphere {
@@ -36,9 +33,8 @@ Sphere icosahedron() {
   for (std::uint32_t i = 0; i < 12; ++i) {
     for (std::uint32_t j = i + 1; j < 12; ++j) {
       for (std::uint32_t k = j + 1; k < 12; ++k) {
-        if (neighbours(i, j) && neighbours(j, k) && neighbours(i, k)) {
-          sphere.faces.push_back({i, j, k});
-        }
+        if (!neighbours(i, j) || !neighbours(j, k) || !neighbours(i, k)) continue;
+        sphere.faces.push_back({i, j, k});
       }
     }
   }
@@ -66,19 +62,16 @@ Sphere halved(const Sphere& coarse) {
 }  // namespace
 
 void addTriangle(Mesh& mesh, const std::array<Vec3, 3>& corners, std::uint32_t surface) {
-  const std::uint32_t a = add(mesh, corners[0]);
-  const std::uint32_t b = add(mesh, corners[1]);
-  const std::uint32_t c = add(mesh, corners[2]);
-  mesh.addTriangle(a, b, c, surface);
+  const std::uint32_t first = mesh.addVertex(corners[0]);
+  mesh.addVertex(corners[1]);
+  mesh.addTriangle(first, first + 1, mesh.addVertex(corners[2]), surface);
 }
 
 void addQuad(Mesh& mesh, const std::array<Vec3, 4>& corners, std::uint32_t surface) {
-  const std::uint32_t a = add(mesh, corners[0]);
-  const std::uint32_t b = add(mesh, corners[1]);
-  const std::uint32_t c = add(mesh, corners[2]);
-  const std::uint32_t d = add(mesh, corners[3]);
-  mesh.addTriangle(a, b, c, surface);
-  mesh.addTriangle(a, c, d, surface);
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+  mesh.addTriangle(first, first + 1, first + 2, surface);
+  mesh.addTriangle(first, first + 2, first + 3, surface);
 }
 
 void addBox(Mesh& mesh, const Vec3& corner, const std::array<Vec3, 3>& edges,
@@ -120,7 +113,8 @@ void addLump(Mesh& mesh, const Lump& lump, std::uint32_t surface) {
     const float bump = noise3(p * 2.3F, lump.seed) + 0.7F * noise3(p * 5.7F, lump.seed + 1) +
                        0.6F * noise3(p * 13, lump.seed + 2);
     const float r = 1 + lump.roughness * bump;
-    add(mesh, lump.centre + Vec3{p.x * lump.radii.x, p.y * lump.radii.y, p.z * lump.radii.z} * r);
+    mesh.addVertex(lump.centre +
+                   Vec3{p.x * lump.radii.x, p.y * lump.radii.y, p.z * lump.radii.z} * r);
   }
   for (const auto& [a, b, c] : sphere.faces) {
     mesh.addTriangle(first + a, first + b, first + c, surface);

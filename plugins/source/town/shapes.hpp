@@ -2,10 +2,6 @@
 // Adds quads, boxes, posts and lumps to a mesh.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
-#include "vec3.hpp"
 #include "world.hpp"
 
 namespace tolman::town {

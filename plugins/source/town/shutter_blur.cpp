@@ -13,61 +13,52 @@ namespace tolman::town {
 
 namespace {
 
-/// Lines of an image, rows or columns, as distances between floats.
-struct Lines {
-  int length;             ///< values of a line
-  std::ptrdiff_t along;   ///< from one value of a line to the next
-  std::ptrdiff_t across;  ///< from one line to the next
-};
+/// Means over the window around each value of the lines from `first` to `end` of an image, rows or
+/// columns: `along` floats from one value of a line to the next, `across` from line to line.
+/// Several lines at once, because the sums of one wait for each other, and single columns use 4
+/// bytes of each line of the cache.
+struct SlidingMeans {
+  static constexpr int kLines = 16;
+  const float* from;
+  float* to;
+  std::ptrdiff_t along, across;
+  int length, radius;
 
-/// Mean over the window around each value of kLines neighbouring lines. Several at once, because
-/// the sums of one wait for each other, and single columns use 4 bytes of each line of the cache.
-template <int kLines>
-[[gnu::always_inline]] inline void slidingMeans(const float* from, float* to, const Lines& lines,
-                                                int radius) {
-  std::array<double, kLines> sums{};
-  const auto add = [&](int at, double sign) {
-    for (int line = 0; line < kLines; ++line) {
-      sums[static_cast<std::size_t>(line)] +=
-          sign * static_cast<double>(from[at * lines.along + line * lines.across]);
-    }
-  };
-  for (int i = 0; i < std::min(radius, lines.length); ++i) add(i, 1);
-  for (int i = 0; i < lines.length; ++i) {
-    if (i + radius < lines.length) add(i + radius, 1);
-    if (i - radius > 0) add(i - radius - 1, -1);
-    const int inside = std::min(i + radius, lines.length - 1) - std::max(i - radius, 0) + 1;
-    for (int line = 0; line < kLines; ++line) {
-      to[i * lines.along + line * lines.across] =
-          static_cast<float>(sums[static_cast<std::size_t>(line)] / inside);
+  void operator()(int first, int end) const {
+    std::array<double, kLines> sums{};
+    const float* source = from + first * across;
+    float* target = to + first * across;
+    const auto add = [&](int at, double sign) {
+      for (int line = 0; line < end - first; ++line) {
+        sums[static_cast<std::size_t>(line)] +=
+            sign * static_cast<double>(source[at * along + line * across]);
+      }
+    };
+    for (int i = 0; i < std::min(radius, length); ++i) add(i, 1);
+    for (int i = 0; i < length; ++i) {
+      if (i + radius < length) add(i + radius, 1);
+      if (i - radius > 0) add(i - radius - 1, -1);
+      const int inside = std::min(i + radius, length - 1) - std::max(i - radius, 0) + 1;
+      for (int line = 0; line < end - first; ++line) {
+        target[i * along + line * across] =
+            static_cast<float>(sums[static_cast<std::size_t>(line)] / inside);
+      }
     }
   }
-}
-
-/// The same for all `count` lines, in groups of kLines and then one by one.
-template <int kLines>
-[[gnu::always_inline]] inline void meansOfAll(const float* from, float* to, const Lines& lines,
-                                              int count, int radius) {
-  const int groups = count / kLines;
-  oneapi::tbb::parallel_for(0, groups + count % kLines, [&](int i) {
-    const bool is_group = i < groups;
-    const int first = is_group ? i * kLines : groups * kLines + i - groups;
-    const std::ptrdiff_t at = first * lines.across;
-    if (is_group) {
-      slidingMeans<kLines>(from + at, to + at, lines, radius);
-    } else {
-      slidingMeans<1>(from + at, to + at, lines, radius);
-    }
-  });
-}
+  void ofAll(int lines) const {
+    oneapi::tbb::parallel_for(0, (lines + kLines - 1) / kLines, [&](int group) {
+      (*this)(group * kLines, std::min((group + 1) * kLines, lines));
+    });
+  }
+};
 
 }  // namespace
 
 std::vector<float> boxBlur(const std::vector<float>& values, int width, int height, int radius) {
   std::vector<float> rows(values.size());
   std::vector<float> result(values.size());
-  meansOfAll<4>(values.data(), rows.data(), {width, 1, width}, height, radius);
-  meansOfAll<16>(rows.data(), result.data(), {height, width, 1}, width, radius);
+  SlidingMeans{values.data(), rows.data(), 1, width, width, radius}.ofAll(height);
+  SlidingMeans{rows.data(), result.data(), width, 1, height, radius}.ofAll(width);
   return result;
 }
 

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distances to the streets, and heights of the road from those of the driven path.
+#include <oneapi/tbb/parallel_for.h>
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include "ground_grid.hpp"
 
 namespace tolman::town {
-
 namespace {
 
-constexpr double kFinestCell = 0.5;  ///< m
-constexpr double kMaxCells = 16e6;   ///< of 4 bytes
-constexpr int kBlock = 16;           ///< cells
+constexpr double kFinestCell = 0.5;     ///< m
+constexpr double kMaxCells = 16e6;      ///< of 4 bytes
+constexpr int kBlock = 16;              ///< cells
+constexpr double kMeets = 6;            ///< m between driven points
+constexpr double kMeetingScale = 3;     ///< m, of the weight by distance
+constexpr double kSameLevel = 1.5;      ///< m
+constexpr double kBeyondWeight = 0.01;  ///< weight of heights without a pose
 
 struct Segment {
   Eigen::Vector2d start;
   Eigen::Vector2d along;
-  double inverse_squared_length = 0;
+  double inverse_squared_length;
 
   double squaredDistance(const Eigen::Vector2d& place) const {
     const Eigen::Vector2d from_start = place - start;
@@ -34,119 +36,14 @@ struct Segment {
 std::vector<Segment> centrelines(const std::vector<PathPoint>& path) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (path[i].raised || path[std::min(i + 1, path.size() - 1)].raised) continue;
-    const Eigen::Vector2d& start = path[i].centre;
-    const Eigen::Vector2d along = path[std::min(i + 1, path.size() - 1)].centre - start;
+    const PathPoint& next = path[std::min(i + 1, path.size() - 1)];
+    if (path[i].raised || next.raised) continue;
+    const Eigen::Vector2d along = next.centre - path[i].centre;
     const double squared = along.squaredNorm();
-    segments.push_back({start, along, squared > 0 ? 1 / squared : 0});
+    segments.push_back({path[i].centre, along, squared > 0 ? 1 / squared : 0});
   }
   return segments;
 }
-
-class DistanceRaster {
- public:
-  DistanceRaster(const std::vector<PathPoint>& path, const GridExtent& extent, double cell,
-                 double farthest)
-      : segments_(centrelines(path)),
-        raster_(extent.low, extent.high, cell, static_cast<float>(farthest)),
-        farthest_(farthest),
-        half_diagonal_(cell * kBlock * std::numbers::sqrt2 / 2),
-        block_columns_((raster_.columns() + kBlock - 1) / kBlock),
-        block_rows_((raster_.rows() + kBlock - 1) / kBlock),
-        candidates_(static_cast<std::size_t>(block_columns_) *
-                    static_cast<std::size_t>(block_rows_)) {}
-
-  GroundGrid fill() {
-    for (std::uint32_t i = 0; i < segments_.size(); ++i) offer(i);
-    for (int row = 0; row < block_rows_; ++row) {
-      for (int column = 0; column < block_columns_; ++column) fillBlock(column, row);
-    }
-    return std::move(raster_);
-  }
-
- private:
-  std::vector<std::uint32_t>& candidates(int column, int row) {
-    return candidates_[static_cast<std::size_t>(row) * static_cast<std::size_t>(block_columns_) +
-                       static_cast<std::size_t>(column)];
-  }
-
-  Eigen::Vector2d blockCentre(int column, int row) const {
-    return raster_.position(column * kBlock, row * kBlock) +
-           Eigen::Vector2d::Constant(raster_.cell() * kBlock / 2);
-  }
-
-  /// Adds a segment to the candidates of all blocks that are near enough.
-  void offer(std::uint32_t index) {
-    const Segment& segment = segments_[index];
-    const Eigen::Vector2d middle = segment.start + segment.along / 2;
-    const double reach = farthest_ + half_diagonal_;
-    const double width = raster_.cell() * kBlock;
-    const Eigen::Vector2d at = (middle - raster_.position(0, 0)) / width;
-    const double blocks = (reach + segment.along.norm() / 2) / width + 1;
-    const auto clampTo = [](double value, int count) {
-      return static_cast<int>(std::clamp(value, 0.0, count - 1.0));
-    };
-    for (int row = clampTo(at.y() - blocks, block_rows_);
-         row <= clampTo(at.y() + blocks, block_rows_); ++row) {
-      for (int column = clampTo(at.x() - blocks, block_columns_);
-           column <= clampTo(at.x() + blocks, block_columns_); ++column) {
-        if (segment.squaredDistance(blockCentre(column, row)) <= reach * reach) {
-          candidates(column, row).push_back(index);
-        }
-      }
-    }
-  }
-
-  /// Removes candidates that are farther than the nearest one by more than the size of the block.
-  void prune(int column, int row) {
-    const Eigen::Vector2d centre = blockCentre(column, row);
-    std::vector<std::uint32_t>& all = candidates(column, row);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t i : all) {
-      nearest = std::min(nearest, segments_[i].squaredDistance(centre));
-    }
-    const double limit = std::sqrt(nearest) + 2 * half_diagonal_;
-    std::erase_if(
-        all, [&](std::uint32_t i) { return segments_[i].squaredDistance(centre) > limit * limit; });
-  }
-
-  void fillBlock(int block_column, int block_row) {
-    prune(block_column, block_row);
-    const std::vector<std::uint32_t>& all = candidates(block_column, block_row);
-    const int last_row = std::min((block_row + 1) * kBlock, raster_.rows());
-    const int last_column = std::min((block_column + 1) * kBlock, raster_.columns());
-    for (int row = block_row * kBlock; row < last_row; ++row) {
-      for (int column = block_column * kBlock; column < last_column; ++column) {
-        const Eigen::Vector2d place = raster_.position(column, row);
-        double nearest = farthest_ * farthest_;
-        for (const std::uint32_t i : all) {
-          nearest = std::min(nearest, segments_[i].squaredDistance(place));
-        }
-        raster_.value(column, row) = static_cast<float>(std::sqrt(nearest));
-      }
-    }
-    candidates(block_column, block_row) = {};
-  }
-
-  std::vector<Segment> segments_;
-  GroundGrid raster_;
-  double farthest_;
-  double half_diagonal_;
-  int block_columns_;
-  int block_rows_;
-  std::vector<std::vector<std::uint32_t>> candidates_;
-};
-
-}  // namespace
-
-GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
-                        double farthest) {
-  const Eigen::Vector2d size = extent.high - extent.low;
-  const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMaxCells));
-  return DistanceRaster(path, extent, cell, farthest).fill();
-}
-
-namespace {
 
 /// Two points of different passes at the same place, whose heights must agree.
 struct Meeting {
@@ -155,12 +52,7 @@ struct Meeting {
   double weight = 0;
 };
 
-constexpr double kMeets = 6;            ///< m between driven points
-constexpr double kMeetingScale = 3;     ///< m, of the weight by distance
-constexpr double kSameLevel = 1.5;      ///< m
-constexpr double kBeyondWeight = 0.01;  ///< weight of heights without a pose
-
-/// Whether points can meet: decks only with decks of the same level.
+/// Whether points can meet: floors only with floors of the same level.
 bool mayMeet(const PathPoint& a, const PathPoint& b) {
   if (!a.raised && !b.raised) return true;
   return a.raised && b.raised && std::abs(a.height - b.height) < kSameLevel;
@@ -182,14 +74,11 @@ std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
       const double scaled = apart / kMeetingScale;
       const Meeting meeting{i, other, std::exp(-scaled * scaled / 2)};
       const bool same_pass = !meetings.empty() && meetings.back().a == i && other - previous <= 3;
-      if (!same_pass) {
-        meetings.push_back(meeting);
-        nearest = apart;
-      } else if (apart < nearest) {
-        meetings.back() = meeting;
-        nearest = apart;
-      }
       previous = other;
+      if (same_pass && apart >= nearest) continue;
+      if (same_pass) meetings.pop_back();
+      meetings.push_back(meeting);
+      nearest = apart;
     }
     grid.add(path[i].driven, i);
   }
@@ -197,18 +86,55 @@ std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
 }
 
 /// Adds the entries of weight * (c_i-1 - 2 c_i + c_i+1)^2.
-void addBending(std::vector<Eigen::Triplet<double>>& entries, std::size_t i, double weight) {
-  constexpr std::array<double, 3> kDifference = {1, -2, 1};
+void addBending(std::vector<Eigen::Triplet<double>>& entries, int i, double weight) {
+  const Eigen::Vector3d difference(1, -2, 1);
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) {
-      entries.emplace_back(static_cast<int>(i) - 1 + a, static_cast<int>(i) - 1 + b,
-                           weight * kDifference[static_cast<std::size_t>(a)] *
-                               kDifference[static_cast<std::size_t>(b)]);
+      entries.emplace_back(i - 1 + a, i - 1 + b, weight * difference[a] * difference[b]);
     }
   }
 }
 
 }  // namespace
+
+GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
+                        double farthest) {
+  const Eigen::Vector2d size = extent.high - extent.low;
+  const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMaxCells));
+  GroundGrid grid(extent.low, extent.high, cell, static_cast<float>(farthest));
+  const std::vector<Segment> segments = centrelines(path);
+  const double half_diagonal = cell * kBlock * std::numbers::sqrt2 / 2;
+  // By blocks of cells: only segments that are not much farther from the middle of a block than the
+  // nearest one can be nearest to one of its cells.
+  const auto fill = [&](int first_column, int first_row, std::vector<double>& squared) {
+    const Eigen::Vector2d middle =
+        grid.position(first_column, first_row) + Eigen::Vector2d::Constant(cell * kBlock / 2);
+    double limit = farthest * farthest;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      squared[i] = segments[i].squaredDistance(middle);
+      limit = std::min(limit, squared[i]);
+    }
+    limit = std::pow(std::sqrt(limit) + 2 * half_diagonal, 2);
+    std::vector<Segment> near;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (squared[i] <= limit) near.push_back(segments[i]);
+    }
+    for (int row = first_row; row < std::min(first_row + kBlock, grid.rows()); ++row) {
+      for (int c = first_column; c < std::min(first_column + kBlock, grid.columns()); ++c) {
+        double nearest = farthest * farthest;
+        for (const Segment& segment : near) {
+          nearest = std::min(nearest, segment.squaredDistance(grid.position(c, row)));
+        }
+        grid.value(c, row) = static_cast<float>(std::sqrt(nearest));
+      }
+    }
+  };
+  oneapi::tbb::parallel_for(0, (grid.rows() + kBlock - 1) / kBlock, [&](int band) {
+    std::vector<double> squared(segments.size());
+    for (int c = 0; c < grid.columns(); c += kBlock) fill(c, band * kBlock, squared);
+  });
+  return grid;
+}
 
 // Corrections c of the heights z minimise
 //   sum w c_i^2 + L^2 sum (c_i+1 - c_i)^2 + sum W (z_a + c_a - z_b - c_b)^2,
@@ -216,35 +142,34 @@ void addBending(std::vector<Eigen::Triplet<double>>& entries, std::size_t i, dou
 // is_stiff the second term is L^4 sum (c_i-1 - 2 c_i + c_i+1)^2.
 std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
                                    const HeightAgreement& agreement) {
-  const auto n = static_cast<Eigen::Index>(path.size());
+  const auto n = static_cast<int>(path.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  const auto tie = [&](std::size_t a, std::size_t b, double weight) {
-    const auto i = static_cast<int>(a);
-    const auto j = static_cast<int>(b);
+  const auto tie = [&](int i, int j, double weight) {
     entries.insert(entries.end(),
                    {{i, i, weight}, {j, j, weight}, {i, j, -weight}, {j, i, -weight}});
     return weight;
   };
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
-                         path[i].driven_over ? 1 : kBeyondWeight);
+  for (int i = 0; i < n; ++i) {
+    entries.emplace_back(i, i, path[static_cast<std::size_t>(i)].driven_over ? 1 : kBeyondWeight);
     const double bend = agreement.bend_length * agreement.bend_length;
-    if (!agreement.is_stiff && i + 1 < path.size()) tie(i, i + 1, bend);
-    if (agreement.is_stiff && i > 0 && i + 1 < path.size()) addBending(entries, i, bend * bend);
+    if (!agreement.is_stiff && i + 1 < n) tie(i, i + 1, bend);
+    if (agreement.is_stiff && i > 0 && i + 1 < n) addBending(entries, i, bend * bend);
   }
   for (const Meeting& meeting : findMeetings(path)) {
-    const double pull = tie(meeting.a, meeting.b, agreement.weight * meeting.weight) *
+    const auto a = static_cast<int>(meeting.a);
+    const auto b = static_cast<int>(meeting.b);
+    const double pull = tie(a, b, agreement.weight * meeting.weight) *
                         (path[meeting.b].height - path[meeting.a].height);
-    right[static_cast<Eigen::Index>(meeting.a)] += pull;
-    right[static_cast<Eigen::Index>(meeting.b)] -= pull;
+    right[a] += pull;
+    right[b] -= pull;
   }
   Eigen::SparseMatrix<double> normal(n, n);
   normal.setFromTriplets(entries.begin(), entries.end());
   const Eigen::VectorXd corrections = Eigen::SimplicialLDLT<decltype(normal)>(normal).solve(right);
-  std::vector<double> heights(path.size());
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    heights[i] = path[i].height + corrections[static_cast<Eigen::Index>(i)];
+  std::vector<double> heights;
+  for (int i = 0; i < n; ++i) {
+    heights.push_back(path[static_cast<std::size_t>(i)].height + corrections[i]);
   }
   return heights;
 }

@@ -8,7 +8,6 @@
 #include "street_plan.hpp"
 
 namespace tolman::town {
-
 namespace {
 
 constexpr double kSpacing = 1;             ///< m
@@ -16,6 +15,10 @@ constexpr double kSmallestAdvance = 0.5;   ///< m, between poses that are used
 constexpr double kBeyondEnds = 50;         ///< m of street before the first and after the last pose
 constexpr double kWayBack = 10;            ///< m of driving, in the opposite direction
 constexpr std::size_t kDirectionSpan = 2;  ///< points to either side
+constexpr double kJoins = 5;               ///< m between centrelines at which a known street begins
+constexpr double kLeaves = 7;              ///< m at which it ends: larger, so that it is not split
+constexpr std::size_t kShortest = 6;   ///< points; shorter streets and interruptions are ignored
+constexpr double kSmallestStep = 0.2;  ///< m; smaller advances are on the inside of a tight bend
 const double kSameDirection = std::cos(35 * std::numbers::pi / 180);
 
 Eigen::Vector2d heading(const Eigen::Isometry3d& T_town_camera) {
@@ -43,31 +46,28 @@ std::vector<RoutePosition> progress(const CameraRoute& route) {
   return places;
 }
 
-PathPoint pathPoint(const Eigen::Vector3d& place, double s, bool raised) {
-  PathPoint point;
-  point.raised = raised;
-  point.driven = place.head<2>();
-  point.height = place.z();
-  point.s = s;
-  return point;
-}
-
 std::vector<PathPoint> everyMetre(const std::vector<RoutePosition>& places) {
   std::vector<PathPoint> points;
+  const auto add = [&](const Eigen::Vector3d& place, double s, bool raised) {
+    PathPoint point;
+    point.driven = place.head<2>();
+    point.height = place.z();
+    point.s = s;
+    point.raised = raised;
+    points.push_back(point);
+  };
   double driven = 0;  // m, to places[i]
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Eigen::Vector3d step = places[i + 1].at - places[i].at;
-    const bool raised = places[i].raised || places[i + 1].raised;
     const double length = step.head<2>().norm();
     for (;;) {
       const double s = static_cast<double>(points.size()) * kSpacing;
       if (s >= driven + length) break;
-      const Eigen::Vector3d place = places[i].at + (s - driven) / length * step;
-      points.push_back(pathPoint(place, s, raised));
+      add(places[i].at + (s - driven) / length * step, s, places[i].raised || places[i + 1].raised);
     }
     driven += length;
   }
-  points.push_back(pathPoint(places.back().at, driven, places.back().raised));
+  add(places.back().at, driven, places.back().raised);
   return points;
 }
 
@@ -85,16 +85,19 @@ void setDirections(std::vector<PathPoint>& points, Eigen::Vector2d fallback) {
 }
 
 /// Points straight on from an end of the path (`start`: its beginning), with a slope that fades
-/// out.
+/// out; none if the route passes there itself.
 std::vector<PathPoint> beyond(const std::vector<PathPoint>& points, bool start) {
   const std::size_t span = std::min<std::size_t>(5, points.size() - 1);
   const PathPoint& end = start ? points.front() : points.back();
   const PathPoint& inside = start ? points[span] : points[points.size() - 1 - span];
+  const bool comes_along = std::any_of(points.begin(), points.end(),
+                                       [&](const PathPoint& p) { return isSameStreet(p, end, 5); });
+  if (comes_along) return {};
   const double sign = start ? -1 : 1;
   const double run = std::abs(end.s - inside.s);
-  const double slope =
-      run > 1 ? std::clamp((end.height - inside.height) / run, -0.15, 0.15) : 0;  // outwards
-  constexpr double kFade = 20;                                                    // m
+  const double slope =  // outwards
+      run > 1 ? std::clamp((end.height - inside.height) / run, -0.15, 0.15) : 0;
+  constexpr double kFade = 20;  // m
   std::vector<PathPoint> more;
   for (double along = kSpacing; along <= kBeyondEnds; along += kSpacing) {
     PathPoint point = end;
@@ -108,72 +111,6 @@ std::vector<PathPoint> beyond(const std::vector<PathPoint>& points, bool start) 
   if (start) std::reverse(more.begin(), more.end());
   return more;
 }
-
-bool comesAlong(const std::vector<PathPoint>& points, const PathPoint& end) {
-  return std::any_of(points.begin(), points.end(),
-                     [&](const PathPoint& p) { return isSameStreet(p, end, 5); });
-}
-
-}  // namespace
-
-bool isOtherPass(const PathPoint& a, const PathPoint& b) {
-  const double apart = std::abs(a.s - b.s);
-  return apart > kOtherPass || (apart > kWayBack && a.direction.dot(b.direction) < -kSameDirection);
-}
-
-bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach) {
-  if (a.raised || b.raised) return false;
-  return std::abs(a.direction.dot(b.direction)) >= kSameDirection && isOtherPass(a, b) &&
-         (a.centre - b.centre).squaredNorm() < reach * reach;
-}
-
-std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height) {
-  std::vector<PathPoint> points = everyMetre(progress(route));
-  setDirections(points, heading(route.T_town_camera.front()));
-  for (PathPoint& point : points) point.height -= camera_height;
-  std::vector<PathPoint> before;
-  std::vector<PathPoint> after;
-  if (!comesAlong(points, points.front())) before = beyond(points, true);
-  if (!comesAlong(points, points.back())) after = beyond(points, false);
-  points.insert(points.begin(), before.begin(), before.end());
-  points.insert(points.end(), after.begin(), after.end());
-  return points;
-}
-
-namespace {
-
-std::int64_t cellKey(std::int64_t column, std::int64_t row) {
-  return column * (std::int64_t{1} << 32) + row;
-}
-
-std::int64_t cellOf(double coordinate) {
-  return static_cast<std::int64_t>(std::floor(coordinate / PointGrid::kReach));
-}
-
-}  // namespace
-
-void PointGrid::add(const Eigen::Vector2d& place, std::size_t index) {
-  cells_[cellKey(cellOf(place.x()), cellOf(place.y()))].push_back(index);
-}
-
-std::vector<std::size_t> PointGrid::near(const Eigen::Vector2d& place) const {
-  std::vector<std::size_t> found;
-  for (std::int64_t row = cellOf(place.y()) - 1; row <= cellOf(place.y()) + 1; ++row) {
-    for (std::int64_t column = cellOf(place.x()) - 1; column <= cellOf(place.x()) + 1; ++column) {
-      const auto cell = cells_.find(cellKey(column, row));
-      if (cell == cells_.end()) continue;
-      found.insert(found.end(), cell->second.begin(), cell->second.end());
-    }
-  }
-  return found;
-}
-
-namespace {
-
-constexpr double kJoins = 5;           ///< m between centrelines at which a known street begins
-constexpr double kLeaves = 7;          ///< m at which it ends: larger, so that it is not split
-constexpr std::size_t kShortest = 6;   ///< points; shorter streets and interruptions are ignored
-constexpr double kSmallestStep = 0.2;  ///< m; smaller advances are on the inside of a tight bend
 
 /// Collects the parts of the path that were not driven before.
 class SectionFinder {
@@ -266,6 +203,28 @@ StreetSection everyMetre(const std::vector<StreetPoint>& line) {
 
 }  // namespace
 
+bool isOtherPass(const PathPoint& a, const PathPoint& b) {
+  const double apart = std::abs(a.s - b.s);
+  return apart > kOtherPass || (apart > kWayBack && a.direction.dot(b.direction) < -kSameDirection);
+}
+
+bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach) {
+  if (a.raised || b.raised) return false;
+  return std::abs(a.direction.dot(b.direction)) >= kSameDirection && isOtherPass(a, b) &&
+         (a.centre - b.centre).squaredNorm() < reach * reach;
+}
+
+std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height) {
+  std::vector<PathPoint> points = everyMetre(progress(route));
+  setDirections(points, heading(route.T_town_camera.front()));
+  for (PathPoint& point : points) point.height -= camera_height;
+  const std::vector<PathPoint> before = beyond(points, true);
+  const std::vector<PathPoint> after = beyond(points, false);
+  points.insert(points.begin(), before.begin(), before.end());
+  points.insert(points.end(), after.begin(), after.end());
+  return points;
+}
+
 std::vector<StreetSection> findSections(const std::vector<PathPoint>& path) {
   std::vector<StreetSection> sections;
   for (const std::vector<std::size_t>& indices : SectionFinder(path).find()) {
@@ -275,6 +234,27 @@ std::vector<StreetSection> findSections(const std::vector<PathPoint>& path) {
     }
   }
   return sections;
+}
+
+std::int64_t PointGrid::keyOf(const Eigen::Vector2d& place, int column, int row) const {
+  const auto cellOf = [&](double coordinate) {
+    return static_cast<std::int64_t>(std::floor(coordinate / reach_));
+  };
+  return (cellOf(place.x()) + column) * (std::int64_t{1} << 32) + cellOf(place.y()) + row;
+}
+
+void PointGrid::add(const Eigen::Vector2d& place, std::size_t index) {
+  cells_[keyOf(place, 0, 0)].push_back(index);
+}
+
+std::vector<std::size_t> PointGrid::near(const Eigen::Vector2d& place) const {
+  std::vector<std::size_t> found;
+  for (int i = 0; i < 9; ++i) {
+    const auto cell = cells_.find(keyOf(place, i % 3 - 1, i / 3 - 1));
+    if (cell == cells_.end()) continue;
+    found.insert(found.end(), cell->second.begin(), cell->second.end());
+  }
+  return found;
 }
 
 }  // namespace tolman::town

@@ -51,17 +51,20 @@ struct StreetSection {
 /// Sections of at least 6 m in the order of driving, with points 1 m apart.
 std::vector<StreetSection> findSections(const std::vector<PathPoint>& path);
 
-/// Spatial index of points: finds candidates within kReach of a position.
+/// Spatial index of points: finds candidates within its reach of a position.
 class PointGrid {
  public:
   static constexpr double kReach = 8;  ///< m
 
+  explicit PointGrid(double reach = kReach) : reach_(reach) {}
   void add(const Eigen::Vector2d& place, std::size_t index);
-  /// Indices of candidates, in the order of their cells, then of insertion. Some are farther than
-  /// kReach.
+  /// Indices of candidates, in the order of their cells, then of insertion. Some are farther.
   std::vector<std::size_t> near(const Eigen::Vector2d& place) const;
 
  private:
+  std::int64_t keyOf(const Eigen::Vector2d& place, int column, int row) const;
+
+  double reach_;
   std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 

@@ -23,28 +23,19 @@ GroundGrid spread(const std::vector<PathPoint>& path, const std::vector<double>&
   GroundGrid sum(extent.low, extent.high, cell, 0);
   GroundGrid weights(extent.low, extent.high, cell, 0);
   const double smoothing = std::max(kSmoothing, 1.5 * cell);
-  const int radius = static_cast<int>(std::ceil(kReach / cell));
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (path[i].raised) continue;
-    const Eigen::Vector2d at = (path[i].driven - extent.low) / cell;
-    const int column = static_cast<int>(at.x());
-    const int row = static_cast<int>(at.y());
-    for (int r = std::max(row - radius, 0); r <= std::min(row + radius, sum.rows() - 1); ++r) {
-      for (int c = std::max(column - radius, 0); c <= std::min(column + radius, sum.columns() - 1);
-           ++c) {
-        const double squared = (sum.position(c, r) - path[i].driven).squaredNorm();
-        if (squared > kReach * kReach) continue;
-        const double weight = std::exp(-squared / (2 * smoothing * smoothing));
-        sum.value(c, r) += static_cast<float>(weight * values[i]);
-        weights.value(c, r) += static_cast<float>(weight);
-      }
-    }
+    sum.forEachNear(path[i].driven, kReach, [&](int c, int r) {
+      const double squared = (sum.position(c, r) - path[i].driven).squaredNorm();
+      if (squared > kReach * kReach) return;
+      const double weight = std::exp(-squared / (2 * smoothing * smoothing));
+      sum.value(c, r) += static_cast<float>(weight * values[i]);
+      weights.value(c, r) += static_cast<float>(weight);
+    });
   }
-  for (int r = 0; r < sum.rows(); ++r) {
-    for (int c = 0; c < sum.columns(); ++c) {
-      if (weights.value(c, r) > 0) sum.value(c, r) /= weights.value(c, r);
-    }
-  }
+  sum.forEach([&](int c, int r) {
+    if (weights.value(c, r) > 0) sum.value(c, r) /= weights.value(c, r);
+  });
   return sum;
 }
 
@@ -52,14 +43,12 @@ GroundGrid spread(const std::vector<PathPoint>& path, const std::vector<double>&
 GroundGrid streetHeights(const std::vector<PathPoint>& path, const std::vector<double>& heights,
                          const GridExtent& extent, double cell) {
   GroundGrid street = spread(path, heights, extent, cell);
-  std::vector<double> missing(path.size());
+  std::vector<double> missing;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    missing[i] = heights[i] - street.at(path[i].driven.x(), path[i].driven.y());
+    missing.push_back(heights[i] - street.at(path[i].driven.x(), path[i].driven.y()));
   }
   const GroundGrid rest = spread(path, missing, extent, cell);
-  for (int r = 0; r < street.rows(); ++r) {
-    for (int c = 0; c < street.columns(); ++c) street.value(c, r) += rest.value(c, r);
-  }
+  street.forEach([&](int c, int r) { street.value(c, r) += rest.value(c, r); });
   return street;
 }
 
@@ -69,128 +58,85 @@ struct Level {
   GroundGrid weight;  ///< 1 keeps the height, 0 leaves it to the membrane
 };
 
-GridExtent extentOf(const GroundGrid& raster) {
-  return {raster.position(0, 0), raster.position(raster.columns() - 1, raster.rows() - 1)};
-}
-
 /// The level of half the resolution; a coarse point represents up to four fine ones.
 Level coarser(const Level& fine) {
-  const GridExtent extent = extentOf(fine.known);
+  const auto [low, high] = fine.known.extent();
   const double cell = 2 * fine.known.cell();
-  Level coarse{GroundGrid(extent.low, extent.high, cell, 0),
-               GroundGrid(extent.low, extent.high, cell, 0)};
-  GroundGrid& known = coarse.known;
-  GroundGrid& weight = coarse.weight;
-  for (int r = 0; r < fine.known.rows(); ++r) {
-    for (int c = 0; c < fine.known.columns(); ++c) {
-      const float w = fine.weight.value(c, r);
-      known.value(c / 2, r / 2) += w * fine.known.value(c, r);
-      weight.value(c / 2, r / 2) += w;
-    }
-  }
-  for (int r = 0; r < known.rows(); ++r) {
-    for (int c = 0; c < known.columns(); ++c) {
-      float& w = weight.value(c, r);
-      if (w > 0) known.value(c, r) /= w;
-      w /= 4;
-    }
-  }
+  Level coarse{GroundGrid(low, high, cell, 0), GroundGrid(low, high, cell, 0)};
+  auto& [known, weight] = coarse;
+  fine.known.forEach([&](int c, int r) {
+    const float w = fine.weight.value(c, r);
+    known.value(c / 2, r / 2) += w * fine.known.value(c, r);
+    weight.value(c / 2, r / 2) += w;
+  });
+  known.forEach([&](int c, int r) {
+    float& w = weight.value(c, r);
+    if (w > 0) known.value(c, r) /= w;
+    w /= 4;
+  });
   return coarse;
-}
-
-GroundGrid hillRaster(const GroundGrid& like, double mean) {
-  const GridExtent extent = extentOf(like);
-  GroundGrid hills(extent.low, extent.high, like.cell(), 0);
-  for (int r = 0; r < hills.rows(); ++r) {
-    for (int c = 0; c < hills.columns(); ++c) {
-      const Eigen::Vector2d place = hills.position(c, r);
-      hills.value(c, r) = static_cast<float>(mean + farHills(place.x(), place.y()));
-    }
-  }
-  return hills;
 }
 
 /// Gauss-Seidel on the screened membrane equation: known heights by their weight, otherwise the
 /// mean of the neighbours with a small share of the hills.
 void relax(GroundGrid& height, const Level& level, double mean) {
-  const int columns = height.columns();
-  const int rows = height.rows();
+  const int right = height.columns() - 1;
+  const int top = height.rows() - 1;
   const double scaled = height.cell() / kSettles;
   const auto settle = static_cast<float>(scaled * scaled / (4 + scaled * scaled));
-  const GroundGrid hills = hillRaster(height, mean);
+  GroundGrid hills = height;
+  hills.forEach([&](int c, int r) {
+    const Eigen::Vector2d place = hills.position(c, r);
+    hills.value(c, r) = static_cast<float>(mean + farHills(place.x(), place.y()));
+  });
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (int r = 0; r < rows; ++r) {
-      for (int c = 0; c < columns; ++c) {
-        const float w = level.weight.value(c, r);
-        if (w >= 1) continue;
-        const float around =
-            (height.value(std::max(c - 1, 0), r) + height.value(std::min(c + 1, columns - 1), r) +
-             height.value(c, std::max(r - 1, 0)) + height.value(c, std::min(r + 1, rows - 1))) /
-            4;
-        const float membrane = around + settle * (hills.value(c, r) - around);
-        height.value(c, r) = membrane + w * (level.known.value(c, r) - membrane);
-      }
-    }
+    height.forEach([&](int c, int r) {
+      const float w = level.weight.value(c, r);
+      if (w >= 1) return;
+      const float around =
+          (height.value(std::max(c - 1, 0), r) + height.value(std::min(c + 1, right), r) +
+           height.value(c, std::max(r - 1, 0)) + height.value(c, std::min(r + 1, top))) /
+          4;
+      const float membrane = around + settle * (hills.value(c, r) - around);
+      height.value(c, r) = membrane + w * (level.known.value(c, r) - membrane);
+    });
   }
 }
 
 /// The membrane at this level, starting from the coarser one.
 GroundGrid membrane(const Level& level, double mean) {
-  const GridExtent extent = extentOf(level.known);
-  GroundGrid height(extent.low, extent.high, level.known.cell(), static_cast<float>(mean));
+  const auto [low, high] = level.known.extent();
+  GroundGrid height(low, high, level.known.cell(), static_cast<float>(mean));
   if (std::min(level.known.columns(), level.known.rows()) > 4) {
     const GroundGrid coarse = membrane(coarser(level), mean);
     // A coarse point represents the middle of its fine points.
     const double shift = level.known.cell() / 2;
-    for (int r = 0; r < height.rows(); ++r) {
-      for (int c = 0; c < height.columns(); ++c) {
-        const Eigen::Vector2d place = height.position(c, r);
-        const auto guess = static_cast<float>(coarse.at(place.x() - shift, place.y() - shift));
-        const float w = level.weight.value(c, r);
-        height.value(c, r) = guess + w * (level.known.value(c, r) - guess);
-      }
-    }
+    height.forEach([&](int c, int r) {
+      const Eigen::Vector2d place = height.position(c, r);
+      const auto guess = static_cast<float>(coarse.at(place.x() - shift, place.y() - shift));
+      const float w = level.weight.value(c, r);
+      height.value(c, r) = guess + w * (level.known.value(c, r) - guess);
+    });
   }
   relax(height, level, mean);
   return height;
 }
 
-/// Sets the height of the pad within it, also near streets.
-void flatten(Level& level, const GroundPad& pad) {
-  for (int r = 0; r < level.known.rows(); ++r) {
-    for (int c = 0; c < level.known.columns(); ++c) {
-      const Eigen::Vector2d place = level.known.position(c, r);
-      if ((place.array() < pad.low.array()).any() || (place.array() > pad.high.array()).any()) {
-        continue;
-      }
-      level.known.value(c, r) = static_cast<float>(pad.height);
-      level.weight.value(c, r) = 1;
-    }
-  }
-}
-
-/// Lowers the ground below the roadway of decks, also at their embankments.
-void lowerUnderDecks(GroundGrid& height, const std::vector<PathPoint>& path,
-                     const std::vector<double>& heights) {
+/// Lowers the ground below the roadway of floors, also before the entrance.
+void lowerUnderFloors(GroundGrid& height, const std::vector<PathPoint>& path,
+                      const std::vector<double>& heights) {
   constexpr double kBelow = 0.35;  // m, more than a kerb
   constexpr double kOver = 6.5;    // m to either side
   constexpr double kAlong = 0.75;  // m
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (!path[i].raised) continue;
-    const Eigen::Vector2d at = (path[i].centre - height.position(0, 0)) / height.cell();
-    const int radius = static_cast<int>(std::ceil(kOver / height.cell())) + 1;
-    const int column = static_cast<int>(at.x());
-    const int row = static_cast<int>(at.y());
-    for (int r = std::max(row - radius, 0); r <= std::min(row + radius, height.rows() - 1); ++r) {
-      for (int c = std::max(column - radius, 0);
-           c <= std::min(column + radius, height.columns() - 1); ++c) {
-        const Eigen::Vector2d offset = height.position(c, r) - path[i].centre;
-        const Eigen::Vector2d& d = path[i].direction;
-        if (std::abs(offset.dot(d)) > kAlong) continue;
-        if (std::abs(offset.x() * d.y() - offset.y() * d.x()) > kOver) continue;
-        height.value(c, r) = std::min(height.value(c, r), static_cast<float>(heights[i] - kBelow));
-      }
-    }
+    height.forEachNear(path[i].centre, kOver, [&](int c, int r) {
+      const Eigen::Vector2d offset = height.position(c, r) - path[i].centre;
+      const Eigen::Vector2d& d = path[i].direction;
+      if (std::abs(offset.dot(d)) > kAlong) return;
+      if (std::abs(offset.x() * d.y() - offset.y() * d.x()) > kOver) return;
+      height.value(c, r) = std::min(height.value(c, r), static_cast<float>(heights[i] - kBelow));
+    });
   }
 }
 
@@ -208,17 +154,21 @@ GroundGrid heightGrid(const std::vector<PathPoint>& path, const std::vector<doub
   const double cell = std::max(kFinestTerrainCell, std::sqrt(size.prod() / kMaxTerrainCells));
   Level level{streetHeights(path, heights, extent, cell),
               GroundGrid(extent.low, extent.high, cell, 0)};
-  for (int r = 0; r < level.weight.rows(); ++r) {
-    for (int c = 0; c < level.weight.columns(); ++c) {
-      const Eigen::Vector2d place = level.weight.position(c, r);
-      const double away = distance.at(place.x(), place.y());
-      const double t = std::clamp((kFadedAt - away) / (kFadedAt - kLevelTo), 0.0, 1.0);
-      level.weight.value(c, r) = static_cast<float>(t * t * (3 - 2 * t));
+  level.weight.forEach([&](int c, int r) {
+    const Eigen::Vector2d place = level.weight.position(c, r);
+    const double away = distance.at(place.x(), place.y());
+    const double t = std::clamp((kFadedAt - away) / (kFadedAt - kLevelTo), 0.0, 1.0);
+    level.weight.value(c, r) = static_cast<float>(t * t * (3 - 2 * t));
+    for (const GroundPad& pad : pads) {  // their heights hold also near streets
+      if ((place.array() < pad.low.array()).any() || (place.array() > pad.high.array()).any()) {
+        continue;
+      }
+      level.known.value(c, r) = static_cast<float>(pad.height);
+      level.weight.value(c, r) = 1;
     }
-  }
-  for (const GroundPad& pad : pads) flatten(level, pad);
+  });
   GroundGrid height = membrane(level, mean);
-  lowerUnderDecks(height, path, heights);
+  lowerUnderFloors(height, path, heights);
   return height;
 }
 

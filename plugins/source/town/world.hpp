@@ -9,38 +9,38 @@
 #include <cstdint>
 #include <vector>
 
-#include "plots.hpp"
 #include "shadow_grid.hpp"
 #include "street_plan.hpp"
 #include "vec3.hpp"
 
 namespace tolman::town {
 
+inline constexpr float kStorey = 2.9F;  ///< m, of houses
+
 inline Vec3 toVec3(const Eigen::Vector3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
-
-inline constexpr float kStorey = 2.9F;  ///< m, of houses
+inline Vec3 toVec3(const Eigen::Vector2d& v, double z) { return toVec3({v.x(), v.y(), z}); }
 
 struct Mesh {
-  struct Vertex {
-    float x = 0;
-    float y = 0;
-    float z = 0;
-  };
+  using Vertex = Vec3;
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise seen from outside
 
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> surfaces;  ///< of each triangle: index into the table of surfaces
 
-  std::uint32_t addVertex(float x, float y, float z) {
-    vertices.push_back({x, y, z});
+  std::uint32_t addVertex(const Vertex& vertex) {
+    vertices.push_back(vertex);
     return static_cast<std::uint32_t>(vertices.size() - 1);
   }
   void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t surface) {
     triangles.push_back({a, b, c});
     surfaces.push_back(surface);
+  }
+  std::array<Vec3, 3> corners(std::size_t triangle) const {
+    const auto& [a, b, c] = triangles[triangle];
+    return {vertices[a], vertices[b], vertices[c]};
   }
 };
 
@@ -65,14 +65,25 @@ struct Surface {
   float tone = 0.5F;  ///< mean albedo
   /// Pattern coordinates of a point p: u = (p - origin) . axis_u, v alike, in metres. Town axes, or
   /// those of the prototype for instances.
-  Vec3 origin;
+  Vec3 origin = {};
   Vec3 axis_u = {1, 0, 0};
   Vec3 axis_v = {0, 0, 1};
   float width = 0;   ///< m along u, for patterns that depend on their end
   float height = 0;  ///< m along v
 };
 
-using SurfaceTable = std::vector<Surface>;
+/// A rectangle on the ground.
+struct Plot {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  Eigen::Vector2d axis = Eigen::Vector2d::UnitX();  ///< unit vector of its length
+  double half_length = 1;                           ///< m, along axis
+  double half_depth = 1;                            ///< m, across
+
+  Eigen::Vector2d across() const { return {-axis.y(), axis.x()}; }
+  Eigen::Vector2d point(double along, double over) const {
+    return centre + axis * along + across() * over;
+  }
+};
 
 struct MeshInstance {
   std::uint32_t prototype = 0;
@@ -81,7 +92,7 @@ struct MeshInstance {
 };
 
 struct World {
-  SurfaceTable surfaces;
+  std::vector<Surface> surfaces;
   Mesh fixed;                        ///< town axes; the ground is first
   std::size_t ground_triangles = 0;  ///< of the fixed mesh: a surface with one height at each place
   GroundArea area;                   ///< that streets, houses and trees cover
@@ -94,6 +105,10 @@ struct World {
   std::uint32_t addSurface(const Surface& surface) {
     surfaces.push_back(surface);
     return static_cast<std::uint32_t>(surfaces.size() - 1);
+  }
+  std::uint32_t addPrototype(Mesh mesh) {
+    prototypes.push_back(std::move(mesh));
+    return static_cast<std::uint32_t>(prototypes.size() - 1);
   }
 };
 

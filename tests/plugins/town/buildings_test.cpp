@@ -10,7 +10,7 @@
 
 #include "drawn_route.hpp"
 #include "objects.hpp"
-#include "plots.hpp"
+#include "objects.hpp"
 #include "probe.hpp"
 #include "small_town.hpp"
 #include "tolman/context.hpp"
@@ -180,31 +180,6 @@ TEST_CASE("four walls stand on the edges of the plot and face outwards") {
   }
 }
 
-TEST_CASE("walls reach below ground, so that no gap shows on a slope") {
-  const World world = built(houseOf(RoofShape::AlongStreet, 1, 4));
-  double lowest = kGround;
-  for (const Mesh::Vertex& v : world.fixed.vertices) {
-    lowest = std::min(lowest, static_cast<double>(v.z));
-  }
-  CHECK(lowest < kGround - 1.5);
-}
-
-TEST_CASE("each storey lifts the whole roof by the same height") {
-  for (const RoofShape shape : kRoofs) {
-    std::vector<double> heights;
-    for (int storeys = 1; storeys <= 5; ++storeys) {
-      const House house = houseOf(shape, storeys, 12);
-      heights.push_back(roofAbove(built(house), house.plot.centre));
-    }
-    const double storey = heights[1] - heights[0];
-    CHECK(storey > 2.5);
-    CHECK(storey < 3.5);
-    for (std::size_t i = 2; i < heights.size(); ++i) {
-      CHECK(heights[i] - heights[i - 1] == Approx(storey).margin(1e-3));
-    }
-  }
-}
-
 TEST_CASE("no place of the plot is open to the sky, under any roof") {
   for (std::uint32_t seed = 1; seed <= 24; ++seed) {
     const House house = houseOf(kRoofs[seed % 3], 2, seed);
@@ -219,37 +194,6 @@ TEST_CASE("no place of the plot is open to the sky, under any roof") {
       }
     }
   }
-}
-
-TEST_CASE("the ridge runs along the street or towards it, as asked") {
-  for (const RoofShape shape : {RoofShape::AlongStreet, RoofShape::ToStreet}) {
-    const House house = houseOf(shape, 2, 17);
-    const World world = built(house);
-    std::vector<Eigen::Vector3d> slopes;
-    for (std::size_t i = 0; i < world.fixed.triangles.size(); ++i) {
-      if (materialOf(world, i) == Material::Roof) slopes.push_back(normal(world, i));
-    }
-    REQUIRE(slopes.size() == 4);  // two quads
-    const Eigen::Vector2d ridge =
-        shape == RoofShape::AlongStreet ? house.plot.axis : house.plot.across();
-    for (const Eigen::Vector3d& n : slopes) {
-      CHECK(std::abs(n.head<2>().dot(ridge)) < 1e-4);
-      CHECK(n.head<2>().norm() > 0.4);  // 0.6 to 1.1 of rise a metre
-      CHECK(n.head<2>().norm() < 0.75);
-    }
-  }
-}
-
-TEST_CASE("a seed makes one house") {
-  const auto tones = [](std::uint32_t seed) {
-    House house = houseOf(RoofShape::AlongStreet, 2, 5);
-    house.seed = seed;
-    std::vector<float> all;
-    for (const Surface& surface : built(house).surfaces) all.push_back(surface.tone);
-    return all;
-  };
-  CHECK(tones(5) == tones(5));
-  CHECK(tones(5) != tones(6));
 }
 
 namespace {
@@ -267,44 +211,6 @@ std::size_t leavesOf(const World& world, std::uint32_t prototype) {
 }
 
 }  // namespace
-
-TEST_CASE("every broadleaved tree has a bare one in its place, evergreens have none") {
-  World world = worldOf("block");
-  const std::size_t before = world.instances.size();
-  const Exchange trees = addBareTrees(world);
-  REQUIRE(trees.usual.size() == trees.other.size());
-  REQUIRE(trees.usual.size() > 20);
-  CHECK(world.instances.size() == before + trees.other.size());
-  for (std::size_t i = 0; i < trees.usual.size(); ++i) {
-    const MeshInstance& leafy = world.instances[trees.usual[i]];
-    const MeshInstance& bare = world.instances[trees.other[i]];
-    CHECK(leavesOf(world, leafy.prototype) > 0);
-    CHECK(leavesOf(world, bare.prototype) == 0);
-    CHECK_FALSE(world.prototypes[bare.prototype].triangles.empty());
-    CHECK(norm(leafy.placement.position - bare.placement.position) == 0);
-    CHECK(std::count(world.evergreens.begin(), world.evergreens.end(), leafy.prototype) == 0);
-  }
-}
-
-TEST_CASE("on another day about two of three places have a car, others than usual") {
-  World world = worldOf("eights");
-  const Exchange cars = addOtherCars(world, 7);
-  REQUIRE(cars.usual.size() > 10);
-  const double share =
-      static_cast<double>(cars.other.size()) / static_cast<double>(cars.usual.size());
-  CHECK(share > 0.4);
-  CHECK(share < 0.9);
-  for (const std::size_t i : cars.other) {
-    const MeshInstance& other = world.instances[i];
-    float nearest = 1e9F;
-    for (const std::size_t usual : cars.usual) {
-      CHECK(world.instances[usual].seed != other.seed);
-      nearest = std::min(
-          nearest, norm(world.instances[usual].placement.position - other.placement.position));
-    }
-    CHECK(nearest <= 0.41F);
-  }
-}
 
 TEST_CASE("hidden instances are not seen until shown") {
   const SmallTown town;

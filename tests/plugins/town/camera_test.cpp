@@ -38,13 +38,6 @@ TEST_CASE("a warp has the wanted rms, no mean, and is smooth") {
   }
 }
 
-TEST_CASE("seeds give other warps") {
-  const PixelWarp a = makeWarp(64, 64, 1, 1);
-  CHECK(a.x == makeWarp(64, 64, 1, 1).x);
-  CHECK(a.x != makeWarp(64, 64, 1, 2).x);
-  CHECK(a.x != a.y);
-}
-
 TEST_CASE("a constant warp renders what a moved principal point renders") {
   const SmallTown town;
   RenderCamera moved = SmallTown::view(town.route.T_town_camera[40]);

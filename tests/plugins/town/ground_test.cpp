@@ -59,14 +59,6 @@ TEST_CASE("a bilinear function is interpolated exactly, and goes on level beyond
   }
 }
 
-TEST_CASE("a grid of one point has its value everywhere, an empty one has 0") {
-  const GroundGrid one({3, 4}, {3, 4}, 1, 7);
-  CHECK(one.columns() == 1);
-  CHECK(one.at(3, 4) == 7);
-  CHECK(one.at(-100, 100) == 7);
-  CHECK(GroundGrid().at(1, 2) == 0);
-}
-
 TEST_CASE("distances are those to the polyline at every point of the grid, cut off far away") {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     RandomStream random(seed);
@@ -88,13 +80,6 @@ TEST_CASE("distances are those to the polyline at every point of the grid, cut o
     }
     CHECK(far > 10);
   }
-}
-
-TEST_CASE("a very large town gets larger cells instead of more memory") {
-  const std::vector<PathPoint> path(2);
-  const GroundGrid grid = distanceGrid(path, {{-6000, -6000}, {6000, 6000}}, 60);
-  CHECK(grid.cell() > 0.5);
-  CHECK(static_cast<double>(grid.columns()) * grid.rows() < 17e6);
 }
 
 TEST_CASE("heights that no pass contradicts stay as they were driven") {
@@ -321,31 +306,6 @@ TEST_CASE("the skirt leaves no gap around the fine ground and none of it shows t
   const double fine =
       areaOf(town.without_skirt, kSurfaces.road) + areaOf(town.without_skirt, kSurfaces.land);
   CHECK(covered + fine > (size.x() + 800) * (size.y() + 800));  // they overlap
-}
-
-TEST_CASE("a roundabout has an island") {
-  LanePath path(StreetPlan::kLaneOffset);
-  path.ahead(60).roundabout(11, 10, std::numbers::pi).ahead(60);
-  const Town town = townOf(drawnRoute(path));
-  const Eigen::Vector2d island(-StreetPlan::kLaneOffset, 60);
-  bool land = false;
-  for (std::size_t i = 0; i < town.without_skirt.triangles.size(); ++i) {
-    const Eigen::Vector2d at = corner(town.without_skirt, i, 0).head<2>();
-    land |= town.without_skirt.surfaces[i] == kSurfaces.land && (at - island).norm() < 2;
-  }
-  CHECK(land);
-}
-
-TEST_CASE("the same plan makes the same triangles") {
-  const Town town = townOf(builtIn("block"));
-  const Mesh again = buildGround(town.plan, kSurfaces);
-  CHECK(again.triangles == town.mesh.triangles);
-  CHECK(again.surfaces == town.mesh.surfaces);
-  REQUIRE(again.vertices.size() == town.mesh.vertices.size());
-  const bool same = std::equal(
-      again.vertices.begin(), again.vertices.end(), town.mesh.vertices.begin(),
-      [](const auto& a, const auto& b) { return a.x == b.x && a.y == b.y && a.z == b.z; });
-  CHECK(same);
 }
 
 }  // namespace tolman::town::test

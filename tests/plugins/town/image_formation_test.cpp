@@ -121,13 +121,6 @@ TEST_CASE("the share of the excess goes to the pixels around, less with distance
   CHECK(image[kMiddle + 90] == 0.25F);
 }
 
-TEST_CASE("halos shrink with the image") {
-  std::vector<float> image = spot(51);
-  addBloom(image, {kSide, kSide, 0.25}, 1, 0.1F);
-  CHECK(image[kMiddle + 15] > 0.25F);
-  CHECK(image[kMiddle + 25] == 0.25F);
-}
-
 namespace {
 
 RenderCamera view() {

@@ -56,16 +56,6 @@ TEST_CASE("the mean of lights has the mean of their numbers") {
   CHECK(dot(both.to_sun, day.to_sun) > 0.99F);
 }
 
-TEST_CASE("cameras expose by the light on the road, lamps and snow included") {
-  Light light = makeLight(10, Weather::Clear, 0, 3);
-  CHECK(light.level() == light.onto({0, 0, 1}, 1));
-  const float plain = light.level();
-  light.snow = 1;
-  CHECK(light.level() > 1.5F * plain);
-  makeNight(light);
-  CHECK(light.level() > 5 * light.sky);
-}
-
 namespace {
 constexpr Vec3 kUp = {0, 0, 1};
 }

@@ -144,22 +144,6 @@ TEST_CASE("no surface swallows or makes light, from whatever distance") {
   }
 }
 
-TEST_CASE("a hair's breadth to the side a pixel sees nearly the same") {
-  RandomStream random(4);
-  for (const Material material : kMaterials) {
-    for (int i = 0; i < 3000; ++i) {
-      const Sheet sheet(material, static_cast<std::uint32_t>(i % 7));
-      const float size = 0.05F;
-      const float u = draw(random, 0.2, 11.8);
-      const float v = draw(random, 0.1, 5.9);
-      const float here = sheet.at(u, v, size);
-      CAPTURE(static_cast<int>(material), i, u, v);
-      REQUIRE(std::abs(sheet.at(u + 2e-4F, v, size) - here) < 0.02F);
-      REQUIRE(std::abs(sheet.at(u, v + 2e-4F, size) - here) < 0.02F);
-    }
-  }
-}
-
 TEST_CASE("eight points look as each of them does alone") {
   RandomStream random(7);
   for (const Material material : kMaterials) {
@@ -220,42 +204,5 @@ TEST_CASE("a wide pixel sees about the mean of the small ones that it covers") {
     CHECK(std::sqrt(squared_error) < 0.7 * contrast);
     // Leaves lose their gaps and highlights unequally: up to a fifth of their brightness.
     CHECK(std::abs(error) < (material == Material::Leaves ? 0.2 : 0.1) * fine_mean);
-  }
-}
-
-TEST_CASE("seen from very far a plain thing, a leaf and a road have one tone each") {
-  RandomStream random(6);
-  for (const Material material : {Material::Plain, Material::Leaves, Material::Bark}) {
-    const Sheet sheet(material, 3);
-    const float far = sheet.at(1, 1, 200);
-    for (int i = 0; i < 50; ++i) {
-      REQUIRE(sheet.at(draw(random, -30, 30), draw(random, -30, 30), 200) == Approx(far));
-    }
-  }
-}
-
-TEST_CASE("seeds change what a surface looks like, tones how bright it is") {
-  for (const Material material : kMaterials) {
-    double darker = 0;
-    double brighter = 0;
-    double other_seed = 0;
-    for (int i = 0; i < 200; ++i) {
-      const float u = 0.3F + 0.055F * static_cast<float>(i);
-      const float v = 1.3F + 0.017F * static_cast<float>(i);
-      Sheet sheet(material, 3);
-      const float value = sheet.at(u, v, 0.02F);
-      darker += static_cast<double>(value);
-      other_seed += std::abs(static_cast<double>(Sheet(material, 4).at(u, v, 0.02F) - value));
-      sheet.surface.tone *= 1.2F;
-      brighter += static_cast<double>(sheet.at(u, v, 0.02F));
-    }
-    CAPTURE(static_cast<int>(material), darker, brighter, other_seed);
-    CHECK(other_seed > 0.2);
-    if (material == Material::Land) {
-      CHECK(brighter == darker);  // its tones are those of pavement and grass
-    } else {
-      CHECK(brighter > darker);
-      CHECK(brighter <= 1.2 * darker + 1e-3);
-    }
   }
 }

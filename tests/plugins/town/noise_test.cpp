@@ -85,26 +85,6 @@ TEST_CASE("lanes: square roots, floors and powers of e are those of the library"
   CHECK(exponential(eight(-1e9F))[0] < 1e-34F);
 }
 
-TEST_CASE("hashes of small neighbours do not collide") {
-  std::set<std::uint32_t> seen;
-  for (std::uint32_t i = 0; i < 100; ++i) {
-    for (std::uint32_t j = 0; j < 100; ++j) seen.insert(hash(i, j));
-  }
-  CHECK(seen.size() == 10000);
-}
-
-TEST_CASE("octaves of single points have the bits of those of eight points") {
-  for (int i = 0; i < 500; ++i) {
-    const float x = -31 + 0.713F * static_cast<float>(i);
-    const float y = 7 - 0.291F * static_cast<float>(i);
-    const float footprint = 0.002F * static_cast<float>(i);
-    const float wavelength = i % 3 == 0 ? 0.5F : i % 3 == 1 ? 1 : 2;  // 1 / wavelength is exact
-    const auto seed = static_cast<std::uint32_t>(i);
-    REQUIRE(fractal2(x, y, wavelength, 1 + i % 4, footprint, seed) ==
-            fractal2(eight(x), eight(y), wavelength, 1 + i % 4, eight(footprint), seed)[i % 8]);
-  }
-}
-
 TEST_CASE("octaves computed side by side are the sum of single ones") {
   for (int i = 0; i < 500; ++i) {
     const float x = -31 + 0.713F * static_cast<float>(i);

@@ -171,16 +171,6 @@ TEST_CASE("depth of the road is that of a plane below the camera") {
   CHECK(on_road > 25);
 }
 
-TEST_CASE("the picture does not depend on the number of threads, nor on the call") {
-  const SmallTown town;
-  const RenderCamera view = SmallTown::view(town.route.T_town_camera[50]);
-  const RenderedImage many = town.picture(view);
-  const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
-  const RenderedImage single = town.picture(view);
-  CHECK(many.radiance == single.radiance);
-  CHECK(many.depth == single.depth);
-}
-
 TEST_CASE("textures do not shimmer: a pixel at half size is about the mean of its four") {
   const SmallTown town;
   RenderCamera fine = SmallTown::view(town.route.T_town_camera[100]);
@@ -207,20 +197,6 @@ TEST_CASE("textures do not shimmer: a pixel at half size is about the mean of it
   std::sort(differences.begin(), differences.end());
   CHECK(differences[differences.size() / 2] < 2);
   CHECK(differences[differences.size() * 9 / 10] < 12);
-}
-
-TEST_CASE("edges are smoothed where asked") {
-  const SmallTown town;
-  const RenderCamera view = SmallTown::view(town.route.T_town_camera[100]);
-  const RenderedImage jagged = town.picture(view, 0);
-  const RenderedImage smooth = town.picture(view, 4);
-  CHECK(jagged.depth == smooth.depth);
-  std::size_t changed = 0;
-  for (std::size_t i = 0; i < jagged.radiance.size(); ++i) {
-    changed += jagged.radiance[i] != smooth.radiance[i];
-  }
-  CHECK(changed > jagged.radiance.size() / 100);
-  CHECK(changed < jagged.radiance.size() / 2);
 }
 
 TEST_CASE("a rolling shutter takes each row where the camera is at its time") {
@@ -354,34 +330,6 @@ TEST_CASE("an upright edge is in the pixel of its projection, which it shares as
     }
     CAPTURE(round, edge);
     CHECK(share == Approx(edge - column + 0.5).margin(0.15));  // nine samples a pixel
-  }
-}
-
-TEST_CASE("the share of an edge's pixel is about what the surface covers of it") {
-  // A dark board before a bright wall; its upper edge is level with the camera, or a little higher.
-  const Light light = evenLight();
-  for (const double shift : {0.0, 0.2, 0.4, 0.6, 0.8}) {
-    World world;
-    const auto top = static_cast<float>(2 + 0.1 * shift);
-    const std::uint32_t dark = addTone(world, 0.05F);
-    const std::uint32_t bright = addTone(world, 0.8F);
-    addQuad(world.fixed,
-            {Vec3{-90, 10, -40}, Vec3{90, 10, -40}, Vec3{90, 10, top}, Vec3{-90, 10, top}}, dark);
-    addQuad(world.fixed,
-            {Vec3{-90, 11, -40}, Vec3{90, 11, -40}, Vec3{90, 11, 60}, Vec3{-90, 11, 60}}, bright);
-    const RenderCamera view = viewAt();
-    const Picture picture(std::move(world), light, view);
-    const double edge = view.pinhole.project({0, 2 - static_cast<double>(top), 10}).y();
-    const int row = static_cast<int>(std::lround(edge));
-    const double covered = 0.5 - (edge - row);  // by the dark plane, which is below
-    double share = 0;
-    for (int column = 0; column < kWidth; ++column) {
-      const double above = picture.radiance(column, row - 3);
-      const double below = picture.radiance(column, row + 3);
-      share += (above - picture.radiance(column, row)) / (above - below) / kWidth;
-    }
-    CAPTURE(shift, edge, covered);
-    CHECK(share == Approx(covered).margin(0.15));  // nine samples a pixel
   }
 }
 

@@ -215,46 +215,6 @@ TEST_CASE("haze takes contrast exponentially with the way, whatever the directio
   }
 }
 
-TEST_CASE("depth counts in lengths of the direction") {
-  const Setting setting;
-  std::vector<Vec3> directions = fan(10, 200);
-  const std::vector<Shaded> once = setting.shade(directions);
-  for (Vec3& direction : directions) direction = direction * 4;
-  const std::vector<Shaded> again = setting.shade(directions);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    REQUIRE(again[i].depth == Approx(once[i].depth / 4).epsilon(1e-5));
-    REQUIRE(again[i].seen == once[i].seen);
-  }
-}
-
-TEST_CASE("a ray sees the same in any company") {
-  const Setting setting;
-  const std::vector<Vec3> directions = fan(11, 240);
-  const std::vector<Shaded> together = setting.shade(directions);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const Shaded alone = setting.shade({directions[i]}).front();
-    REQUIRE(alone.depth == together[i].depth);
-    REQUIRE(alone.radiance == together[i].radiance);
-    REQUIRE(alone.seen == together[i].seen);
-  }
-}
-
-TEST_CASE("what is seen tells leaves, things, light and shadow apart") {
-  Setting setting;
-  setting.light.to_sun = {0.8F, 0, 0.6F};
-  const auto toward = [&](const Vec3& point) { return setting.shade({point - kEye}).front().seen; };
-  const std::uint32_t crown = toward({8, 16, 2.4F});
-  const std::uint32_t near_lump = toward({4, 12, 1.5F});
-  const std::uint32_t far_lump = toward({1, 25, 2.5F});
-  CHECK((crown & kFoliage) != 0);
-  CHECK((near_lump & kFoliage) == 0);
-  CHECK(near_lump != far_lump);  // one prototype, two instances
-  const std::uint32_t lit = toward({0, 5, 0});
-  const std::uint32_t shaded = toward({1.5F, 12, 0});  // by the near lump, from the right
-  CHECK(lit != shaded);
-  CHECK((lit >> 3U) == (shaded >> 3U));  // the same ground
-}
-
 TEST_CASE("an instance that moves takes its picture along") {
   Setting setting;
   const Vec3 there = {20, 30, 1.65F};
@@ -264,16 +224,6 @@ TEST_CASE("an instance that moves takes its picture along") {
   const float after = setting.shade({there - kEye}).front().depth;
   CHECK(before == 0);  // sky beyond the level of the eye
   CHECK(after == Approx(1).margin(0.02));
-}
-
-TEST_CASE("an empty packet shades nothing, and a shaded one is empty") {
-  const Setting setting;
-  RayPacket packet(setting.around);
-  for (const Shaded& one : packet.shade()) CHECK(one.seen == 0);
-  packet.add(kEye, {0, 1, 0});
-  CHECK(packet.size() == 1);
-  packet.shade();
-  CHECK(packet.size() == 0);
 }
 
 namespace {

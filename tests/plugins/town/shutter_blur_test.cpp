@@ -215,13 +215,6 @@ double worstShare(const Pixels& blurred, double path) {
 
 }  // namespace
 
-TEST_CASE("a camera that stands does not blur") {
-  const SmallTown town;
-  const RenderCamera view = SmallTown::view(town.route.T_town_camera[60]);
-  const RenderedImage sharp = town.picture(view);
-  CHECK(shutterBlur(view, sharp, {}) == sharp.radiance);
-}
-
 TEST_CASE("blur is the mean of the pictures while the shutter is open") {
   const SmallTown town;
   const RenderCamera view = SmallTown::view(town.route.T_town_camera[60]);

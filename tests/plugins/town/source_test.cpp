@@ -107,44 +107,6 @@ TEST_CASE("the same bytes after reset, for any number of threads; others for ano
   }
 }
 
-TEST_CASE("without noise and light changes a place seen again looks the same") {
-  // block ends where it began, on the same lane; the nearest later pose is centimetres away.
-  const ParameterValues quiet = {{"noise", 0.0},
-                                 {"exposure_change", 0.0},
-                                 {"step", std::int64_t{1}},
-                                 {"last", std::int64_t{0}}};
-  const Drive start = drive(quiet);
-  TestContext context(small({{"step", std::int64_t{1}}, {"scale", 0.1}}));
-  TownSource scout;
-  REQUIRE(scout.configure(context).isOk());
-  const Drive all = drive(scout);
-  std::int64_t best = 0;
-  double nearest = 1e9;
-  for (const Frame& frame : all.frames) {
-    const double distance = frame.T_world_camera_truth.translation().norm();
-    if (frame.frame > 200 && distance < nearest) {
-      nearest = distance;
-      best = frame.frame;
-    }
-  }
-  REQUIRE(nearest < 0.6);
-  ParameterValues again = quiet;
-  again["first"] = again["last"] = best;
-  const Drive back = drive(again);
-  const auto a = bytes(start.frames[0].left);
-  const auto b = bytes(back.frames[0].left);
-  double mean = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) mean += std::abs(int(a[i]) - int(b[i]));
-  mean /= static_cast<double>(a.size());
-  const Drive elsewhere = drive({{"noise", 0.0}, {"first", best / 2}, {"last", best / 2}});
-  const auto c = bytes(elsewhere.frames[0].left);
-  double other = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) other += std::abs(int(a[i]) - int(c[i]));
-  other /= static_cast<double>(a.size());
-  INFO("mean difference " << mean << " grey levels, elsewhere " << other);
-  CHECK(mean < 0.5 * other);
-}
-
 TEST_CASE("mono leaves the right camera out, depth comes on demand") {
   const Drive d = drive({{"mono", true}, {"depth", true}});
   CHECK_FALSE(d.info.rig.isStereo());
@@ -291,26 +253,6 @@ TEST_CASE("what cannot be driven is refused with a remedy") {
   refuses("mount", List{0}, "from 0.5 to 4 m");
   refuses("rig_error", List{0, 0, 0, 0, 0, 0, 0}, "give at most");
   refuses("exposure_ms", List{}, "give [time]");
-}
-
-TEST_CASE("backward and pingpong turn the drive round with rising stamps") {
-  const Drive there = drive({{"order", std::string("pingpong")}, {"scale", 0.1}});
-  for (std::size_t i = 1; i < there.frames.size(); ++i) {
-    CHECK(there.frames[i].stamp_ns > there.frames[i - 1].stamp_ns);
-  }
-  CHECK(there.frames.front().source_index == there.frames.back().source_index);
-  const Drive back = drive({{"order", std::string("backward")}, {"scale", 0.1}});
-  CHECK(back.frames.back().source_index == 0);
-}
-
-TEST_CASE("real routes of KITTI render whole", "[data]") {
-  for (const char* name : {"00", "05", "06", "07"}) {
-    const auto file = tolman::test::dataOrSkip(std::string("kitti_poses/") + name + ".txt");
-    if (!file) return;
-    const Drive d = drive({{"route", file->string()}, {"step", std::int64_t{97}}, {"scale", 0.1}});
-    CHECK(d.frames.size() >= 11);
-    for (const Frame& frame : d.frames) REQUIRE_FALSE(frame.left.empty());
-  }
 }
 
 namespace {

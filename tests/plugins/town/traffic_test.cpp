@@ -88,26 +88,6 @@ TEST_CASE("on a straight street every car comes down the left lane at its own st
   CHECK(std::adjacent_find(speeds.begin(), speeds.end()) == speeds.end());
 }
 
-TEST_CASE("a car that reaches the beginning of the route comes again from its end") {
-  const CameraRoute route = straight(300);
-  const StreetPlan plan = planOf(route);
-  const Traffic traffic = trafficOn(route, plan, 10, 9);
-  REQUIRE(traffic.size() == 3);
-  const double speed = speedOf(traffic, 2, 0, 1);  // begins in the last third
-  const double round = 300 / speed;
-  for (const double t : {0.0, 3.3, 11.0}) {
-    const Eigen::Vector2d now = placeOf(carAt(traffic, 2, t));
-    CHECK((placeOf(carAt(traffic, 2, t + round)) - now).norm() < 0.05);
-    CHECK((placeOf(carAt(traffic, 2, t + 5 * round)) - now).norm() < 0.2);
-  }
-  // Long after and long before the drive it is on the street all the same.
-  for (const double t : {-1e5, 1e6}) {
-    const Eigen::Vector2d p = placeOf(carAt(traffic, 2, t));
-    CHECK(p.y() >= 0);
-    CHECK(p.y() <= 300);
-  }
-}
-
 TEST_CASE("through bends cars keep their lane and look where they drive") {
   const CameraRoute route = town::test::builtIn("block");
   const StreetPlan plan = planOf(route);
@@ -154,20 +134,4 @@ TEST_CASE("a car that would drive through the camera passes beside it") {
     }
   }
   CHECK(moved(-3.4, 0).x() == Approx(6.6));  // the oncoming lane stays as it is
-}
-
-TEST_CASE("a seed makes one traffic; no density, no street and no drive make none") {
-  const CameraRoute route = straight(400);
-  const StreetPlan plan = planOf(route);
-  const auto places = [&](std::uint32_t seed) {
-    const Traffic traffic = trafficOn(route, plan, 10, seed);
-    std::vector<float> along;
-    for (std::size_t i = 0; i < traffic.size(); ++i)
-      along.push_back(carAt(traffic, i, 4).position.y);
-    return along;
-  };
-  CHECK(places(1) == places(1));
-  CHECK(places(1) != places(2));
-  CHECK(trafficOn(route, plan, 0, 1).size() == 0);
-  CHECK(trafficOn(straight(0), plan, 10, 1).size() == 0);
 }
