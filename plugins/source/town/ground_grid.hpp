@@ -92,17 +92,9 @@ class GroundGrid {
 GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
                         double farthest);
 
-/// Weights of the agreement of passes on a height.
-struct HeightAgreement {
-  double bend_length = 15;  ///< m, over which a correction fades out along the street
-  double weight = 200;      ///< weight of a meeting; that of a measured height is 1
-  bool is_stiff = false;  ///< corrections are smooth as of a bent beam, without a kink at meetings
-};
-
 /// Heights of the road at the points of the path, m. Where passes overlap, they are corrected to
 /// the mean; corrections change smoothly along the street.
-std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
-                                   const HeightAgreement& agreement = {});
+std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path);
 
 /// Height of the ground, m: that of the streets, level across, and a membrane between the streets
 /// that approaches `mean` + farHills() far from them. Cells are of 1 m or larger, so 16 MB at most.

@@ -37,33 +37,9 @@ struct RayPacket::Meetings {
   std::array<std::uint32_t, kLanes> instance_index;
 };
 
-Vec3s RayPacket::Vectors::group(std::size_t g) const {
-  const std::size_t first = g * kLanes;
-  return {loadEight(x.data() + first), loadEight(y.data() + first), loadEight(z.data() + first)};
-}
-
-void RayPacket::trace(RTCRayHit16& rays) const {
-  alignas(64) std::array<int, kRaysPerPacket> valid{};
-  rays = {};
-  for (std::size_t i = 0; i < kRaysPerPacket; ++i) {
-    valid[i] = static_cast<int>(i) < count_ ? -1 : 0;
-    rays.ray.org_x[i] = origins_.x[i];
-    rays.ray.org_y[i] = origins_.y[i];
-    rays.ray.org_z[i] = origins_.z[i];
-    rays.ray.dir_x[i] = directions_.x[i];
-    rays.ray.dir_y[i] = directions_.y[i];
-    rays.ray.dir_z[i] = directions_.z[i];
-    rays.ray.tnear[i] = 0.05F;
-    rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
-    rays.ray.mask[i] = ~0U;
-    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-  }
-  around_.scene->intersect(valid.data(), rays);
-}
-
 TOLMAN_WIDE_LANES
-void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) const {
+void RayPacket::meet(std::size_t group, Meetings& m) const {
+  const auto& [ray, found] = rays_;
   const std::size_t first = group * kLanes;
   alignas(32) std::array<std::uint32_t, kLanes> hit{};
   alignas(32) std::array<std::uint32_t, kLanes> foliage{};
@@ -74,9 +50,9 @@ void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) co
   m.instance = {};
   m.instance_index.fill(kNoInstance);
   for (std::size_t i = 0; i < kLanes; ++i) {
-    if (rays.hit.geomID[first + i] == RTC_INVALID_GEOMETRY_ID) continue;
-    instances[i] = rays.hit.instID[0][first + i];
-    const Scene::Owner owner = around_.scene->ownerOf(instances[i], rays.hit.primID[first + i]);
+    if (found.geomID[first + i] == RTC_INVALID_GEOMETRY_ID) continue;
+    instances[i] = found.instID[0][first + i];
+    const Scene::Owner owner = around_.scene->ownerOf(instances[i], found.primID[first + i]);
     hit[i] = ~0U;
     m.surface[i] = owner.number;
     m.instance[i] = owner.instance;
@@ -97,13 +73,16 @@ void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) co
   m.instance_seed = words(load(seeds));
   m.seen = hash(words(load(m.surface)) + 1, words(load(instances))) << 3;
   m.lit = Eight{};
-  m.direction = directions_.group(group);
+  m.direction = {loadEight(ray.dir_x + first), loadEight(ray.dir_y + first),
+                 loadEight(ray.dir_z + first)};
   // A ray without a hit counts as one that ends at once, so that what is computed of it is finite.
-  m.t = select(m.hit, loadEight(rays.ray.tfar + first), Eight{});
-  m.point = origins_.group(group) + m.direction * m.t;
+  m.t = select(m.hit, loadEight(ray.tfar + first), Eight{});
+  const Vec3s origin = {loadEight(ray.org_x + first), loadEight(ray.org_y + first),
+                        loadEight(ray.org_z + first)};
+  m.point = origin + m.direction * m.t;
   const Vec3s up = vec3s({0, 0, 1});
-  const Vec3s across = {loadEight(rays.hit.Ng_x + first), loadEight(rays.hit.Ng_y + first),
-                        loadEight(rays.hit.Ng_z + first)};
+  const Vec3s across = {loadEight(found.Ng_x + first), loadEight(found.Ng_y + first),
+                        loadEight(found.Ng_z + first)};
   Vec3s normal = normalised(select(m.hit, across, up));
   if (any(m.placed)) {
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -306,21 +285,30 @@ void RayPacket::mirror(const std::array<Meetings, kGroups>& groups, Shaded* shad
 std::array<Shaded, kRaysPerPacket> RayPacket::shade() {
   std::array<Shaded, kRaysPerPacket> result;
   if (count_ == 0) return {};
-  // The lanes behind the last ray repeat it, so that they compute something finite.
   const auto count = static_cast<std::size_t>(count_);
-  for (std::size_t i = count; i < kRaysPerPacket; ++i) {
-    origins_.set(i, origins_.at(count - 1));
-    directions_.set(i, directions_.at(count - 1));
+  alignas(64) std::array<int, kRaysPerPacket> valid{};
+  auto& [ray, hit] = rays_;
+  for (int i = 0; i < kRaysPerPacket; ++i) {
+    const int of = std::min(i, count_ - 1);
+    valid[static_cast<std::size_t>(i)] = of == i ? -1 : 0;
+    // The lanes behind the last ray repeat it, so that they compute something finite.
+    set(i, {ray.org_x[of], ray.org_y[of], ray.org_z[of]},
+        {ray.dir_x[of], ray.dir_y[of], ray.dir_z[of]});
+    ray.tnear[i] = 0.05F;
+    ray.tfar[i] = std::numeric_limits<float>::infinity();
+    ray.time[i] = 0;
+    ray.mask[i] = ~0U;
+    ray.flags[i] = 0;
+    hit.geomID[i] = hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  RTCRayHit16 rays;
-  trace(rays);
+  around_.scene->intersect(valid.data(), rays_);
   const Light& light = *around_.light;
   std::array<Meetings, kGroups> meetings;
   const std::size_t groups = (count + kLanes - 1) / kLanes;
   for (std::size_t g = 0; g < kGroups; ++g) {
     meetings[g].hit = EightInts{};
     if (g >= groups) continue;
-    meet(rays, g, meetings[g]);
+    meet(g, meetings[g]);
     if (light.sun > 0) castShadows(meetings[g]);
     shadeGroup(meetings[g], result.data() + g * kLanes);
   }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 
 #include "light.hpp"
 #include "material.hpp"
@@ -39,11 +40,7 @@ class RayPacket {
  public:
   explicit RayPacket(const Surroundings& around) : around_(around) {}
 
-  void add(const Vec3& origin, const Vec3& direction) {
-    const auto i = static_cast<std::size_t>(count_++);
-    origins_.set(i, origin);
-    directions_.set(i, direction);
-  }
+  void add(const Vec3& origin, const Vec3& direction) { set(count_++, origin, direction); }
   bool isFull() const { return count_ == kRaysPerPacket; }
   int size() const { return count_; }
   /// Traces the added rays; the packet is empty afterwards.
@@ -52,23 +49,13 @@ class RayPacket {
  private:
   static constexpr std::size_t kGroups = kRaysPerPacket / kLanes;
   struct Meetings;
-  /// One vector for each ray, as arrays of their components.
-  struct Vectors {
-    alignas(64) std::array<float, kRaysPerPacket> x;
-    alignas(64) std::array<float, kRaysPerPacket> y;
-    alignas(64) std::array<float, kRaysPerPacket> z;
 
-    void set(std::size_t i, const Vec3& v) {
-      x[i] = v.x;
-      y[i] = v.y;
-      z[i] = v.z;
-    }
-    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    Vec3s group(std::size_t g) const;
-  };
-
-  void trace(RTCRayHit16& rays) const;
-  void meet(const RTCRayHit16& rays, std::size_t group, Meetings& meetings) const;
+  void set(int i, const Vec3& origin, const Vec3& direction) {
+    RTCRay16& r = rays_.ray;
+    std::tie(r.org_x[i], r.org_y[i], r.org_z[i]) = std::tie(origin.x, origin.y, origin.z);
+    std::tie(r.dir_x[i], r.dir_y[i], r.dir_z[i]) = std::tie(direction.x, direction.y, direction.z);
+  }
+  void meet(std::size_t group, Meetings& meetings) const;
   void castShadows(Meetings& meetings) const;
   void shadeGroup(const Meetings& meetings, Shaded* shaded) const;
   void mirror(const std::array<Meetings, kGroups>& meetings, Shaded* shaded) const;
@@ -81,8 +68,7 @@ class RayPacket {
   void forEachSurface(const Meetings& meetings, const Body& body) const;
 
   const Surroundings& around_;
-  Vectors origins_;
-  Vectors directions_;
+  RTCRayHit16 rays_;
   int count_ = 0;
 };
 

@@ -70,10 +70,6 @@ Eigen::Isometry3d levelPose(double azimuth);
 CameraRoute flown(const CameraRoute& driven);
 
 /// The same path on level ground at the height of the first pose, without pitch and roll.
-CameraRoute groundTrack(const CameraRoute& flown);
-
-/// Moves passes that meet to their mean height, over some 100 m of driving before and after. The
-/// pitch follows the slope. Horizontal positions, yaw and roll do not change.
-CameraRoute levelled(const CameraRoute& route, double camera_height);
+CameraRoute groundTrack(const CameraRoute& route);
 
 }  // namespace tolman::town

@@ -80,12 +80,8 @@ struct Projections {
   using Rows = std::array<std::array<float, 4>, 3>;
   static Rows rowsOf(const Eigen::Isometry3d& T) {
     Rows rows;
-    for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 4; ++c) {
-        rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] =
-            static_cast<float>(T.matrix()(r, c));
-      }
-    }
+    Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(rows[0].data()) =
+        T.matrix().topRows<3>().cast<float>();
     return rows;
   }
 

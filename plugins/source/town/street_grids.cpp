@@ -4,7 +4,6 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +19,8 @@ constexpr double kMeets = 6;            ///< m between driven points
 constexpr double kMeetingScale = 3;     ///< m, of the weight by distance
 constexpr double kSameLevel = 1.5;      ///< m
 constexpr double kBeyondWeight = 0.01;  ///< weight of heights without a pose
+constexpr double kMeetingWeight = 200;  ///< that of a measured height is 1
+constexpr double kBendLength = 15;      ///< m, over which a correction fades out along the street
 
 struct Segment {
   Eigen::Vector2d start;
@@ -85,16 +86,6 @@ std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
   return meetings;
 }
 
-/// Adds the entries of weight * (c_i-1 - 2 c_i + c_i+1)^2.
-void addBending(std::vector<Eigen::Triplet<double>>& entries, int i, double weight) {
-  const Eigen::Vector3d difference(1, -2, 1);
-  for (int a = 0; a < 3; ++a) {
-    for (int b = 0; b < 3; ++b) {
-      entries.emplace_back(i - 1 + a, i - 1 + b, weight * difference[a] * difference[b]);
-    }
-  }
-}
-
 }  // namespace
 
 GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
@@ -138,10 +129,8 @@ GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& ex
 
 // Corrections c of the heights z minimise
 //   sum w c_i^2 + L^2 sum (c_i+1 - c_i)^2 + sum W (z_a + c_a - z_b - c_b)^2,
-// with points 1 m apart. A single correction decays along the street as exp(-distance / L). With
-// is_stiff the second term is L^4 sum (c_i-1 - 2 c_i + c_i+1)^2.
-std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
-                                   const HeightAgreement& agreement) {
+// with points 1 m apart. A single correction decays along the street as exp(-distance / L).
+std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path) {
   const auto n = static_cast<int>(path.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
@@ -152,14 +141,12 @@ std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
   };
   for (int i = 0; i < n; ++i) {
     entries.emplace_back(i, i, path[static_cast<std::size_t>(i)].driven_over ? 1 : kBeyondWeight);
-    const double bend = agreement.bend_length * agreement.bend_length;
-    if (!agreement.is_stiff && i + 1 < n) tie(i, i + 1, bend);
-    if (agreement.is_stiff && i > 0 && i + 1 < n) addBending(entries, i, bend * bend);
+    if (i + 1 < n) tie(i, i + 1, kBendLength * kBendLength);
   }
   for (const Meeting& meeting : findMeetings(path)) {
     const auto a = static_cast<int>(meeting.a);
     const auto b = static_cast<int>(meeting.b);
-    const double pull = tie(a, b, agreement.weight * meeting.weight) *
+    const double pull = tie(a, b, kMeetingWeight * meeting.weight) *
                         (path[meeting.b].height - path[meeting.a].height);
     right[a] += pull;
     right[b] -= pull;

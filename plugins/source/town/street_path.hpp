@@ -18,7 +18,7 @@ struct PathPoint {
   double height = 0;        ///< m, Z of the road: camera_height below the camera
   double s = 0;             ///< m driven
   bool driven_over = true;  ///< false for the street beyond either end of the route
-  bool raised = false;      ///< on a deck (CameraRoute::raised)
+  bool raised = false;      ///< on a floor of the car park
 };
 
 /// m driven between points of different passes over one street. Chosen, not tuned.
@@ -29,7 +29,7 @@ inline constexpr double kOtherPass = 30;
 std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height);
 
 /// Whether two points are of different passes over the same street, in either direction: at most
-/// `reach` m apart, not neighbours on the path, directions within 35 degrees. Not on decks.
+/// `reach` m apart, not neighbours on the path, directions within 35 degrees. Not in the car park.
 bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach);
 
 /// Whether the distance along the path is so large that near points are of two passes.

@@ -27,7 +27,7 @@ class StreetPlan {
   ///
   /// Refuses a route for which there are no streets: passes that cross at different heights, a
   /// camera below the ground, an extent beyond 12 km. Messages name the frames.
-  /// `levelled` of route.hpp corrects most such routes.
+  /// `groundTrack` of route.hpp makes such routes possible.
   static Result<StreetPlan> grow(const CameraRoute& route, double camera_height);
 
   const std::vector<StreetSection>& sections() const { return sections_; }

@@ -44,24 +44,21 @@ Eigen::Isometry3d poseAt(const std::vector<Eigen::Isometry3d>& poses, std::size_
 }
 
 Status checkLists(const TownParameters& p) {
-  const auto refuse = [](const std::string& what) { return Status::invalidParameter(what); };
-  if (p.camera.size() != 7) {
-    return refuse("camera has " + std::to_string(p.camera.size()) +
-                  " values; give 7: [width, height, fx, fy, cx, cy, baseline]");
-  }
+  std::string wanted;
+  if (p.camera.size() != 7) wanted = "camera: give [width, height, fx, fy, cx, cy, baseline]";
   if (p.mount.empty() || p.mount.size() > 3 || p.mount[0] < 0.5 || p.mount[0] > 4) {
-    return refuse("mount: give [height, pitch, roll], the height from 0.5 to 4 m");
+    wanted = "mount: give [height, pitch, roll], the height from 0.5 to 4 m";
   }
-  if (p.rig_error.size() > 6) {
-    return refuse("rig_error: give at most [focal length, baseline, yaw, pitch, roll, readout]");
-  }
-  if (p.readoutMs() < 0 || std::min(p.focalError(), p.baselineError()) < -0.5) {
-    return refuse("rig_error: a readout time is positive, and relative errors are above -0.5");
+  if (p.rig_error.size() > 6 || p.readoutMs() < 0 ||
+      std::min(p.focalError(), p.baselineError()) < -0.5) {
+    wanted =
+        "rig_error: give at most [focal length, baseline, yaw, pitch, roll, readout], the "
+        "first two above -0.5, the last not negative";
   }
   if (p.exposure_ms.empty() || p.exposure_ms.size() > 2) {
-    return refuse("exposure_ms: give [time] or [time in the sun, longest]");
+    wanted = "exposure_ms: give [time] or [time in the sun, longest]";
   }
-  return Status::ok();
+  return wanted.empty() ? Status::ok() : Status::invalidParameter(wanted);
 }
 
 }  // namespace
@@ -125,7 +122,7 @@ Status TownSource::setRoute() {
   Result<StreetPlan> plan = StreetPlan::grow(route_, p.cameraHeight());
   is_levelled_ = false;
   if (!plan.isOk()) {
-    CameraRoute level = levelled(route_, p.cameraHeight());
+    CameraRoute level = groundTrack(route_);
     Result<StreetPlan> again = StreetPlan::grow(level, p.cameraHeight());
     if (!again.isOk()) return plan.status();
     route_ = std::move(level);

@@ -10,7 +10,6 @@
 
 #include "drawn_route.hpp"
 #include "objects.hpp"
-#include "objects.hpp"
 #include "probe.hpp"
 #include "small_town.hpp"
 #include "tolman/context.hpp"
@@ -201,13 +200,6 @@ namespace {
 World worldOf(std::string_view name) {
   const CameraRoute route = builtInRoute(name, {}).value();
   return buildWorld(StreetPlan::grow(route, 1.65).value(), {});
-}
-
-std::size_t leavesOf(const World& world, std::uint32_t prototype) {
-  const auto& surfaces = world.prototypes[prototype].surfaces;
-  return static_cast<std::size_t>(std::count_if(surfaces.begin(), surfaces.end(), [&](auto s) {
-    return world.surfaces[s].material == Material::Leaves;
-  }));
 }
 
 }  // namespace

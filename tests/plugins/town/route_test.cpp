@@ -36,14 +36,6 @@ Eigen::Vector2d heading(const CameraRoute& route, std::size_t i) {
   return route.T_town_camera[i].linear().col(2).head<2>().normalized();
 }
 
-double drivenLength(const CameraRoute& route) {
-  double length = 0;
-  for (std::size_t i = 1; i < route.T_town_camera.size(); ++i) {
-    length += (place(route, i) - place(route, i - 1)).norm();
-  }
-  return length;
-}
-
 }  // namespace
 
 TEST_CASE("a lane path goes straight on from the origin along Y") {

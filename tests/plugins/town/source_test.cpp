@@ -248,7 +248,7 @@ TEST_CASE("what cannot be driven is refused with a remedy") {
   refuses("route", std::string("./no/such.txt"), "./no/such.txt");
   refuses("first", std::int64_t{99999}, "choose a smaller one");
   refuses("conditions", std::string("pass 2: night"), "'pass' is no condition");
-  refuses("camera", List{100, 100, 90, 90, 50, 50}, "has 6 values; give 7");
+  refuses("camera", List{100, 100, 90, 90, 50, 50}, "give [width, height");
   refuses("camera", List{20000, 20000, 90, 90, 50, 50, 1}, "8192 x 8192 px at most");
   refuses("mount", List{0}, "from 0.5 to 4 m");
   refuses("rig_error", List{0, 0, 0, 0, 0, 0, 0}, "give at most");
