@@ -14,6 +14,7 @@
 #include "config/loader.hpp"
 #include "config/text.hpp"
 #include "engine/assembly.hpp"
+#include "host/gate.hpp"
 #include "record/regular_file.hpp"
 
 namespace tolman::app {
@@ -199,8 +200,7 @@ class Search {
     using Kind = run::FailureKind;
     const Kind kind = failed.failure.kind;
     if (kind == Kind::Machine || kind == Kind::Record || kind == Kind::Interrupted) throw;
-    // Messages of the source begin with "source (ID), configure: ".
-    const std::string prefix = "source (" + plugin_.manifest.id + "), ";
+    const std::string prefix = "source (" + plugin_.manifest.id + "), configure: ";
     const std::string text = failed.what();
     return Status::invalidInput(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   }
@@ -387,7 +387,8 @@ Recording lookAt(const fs::path& recording, const SourceValues& given,
     tryOne(known);
   } else {
     for (const host::Manifest& manifest : catalogue.manifests()) {
-      if (manifest.role == Role::Source) tryOne(manifest.id);
+      const bool is_usable = !host::checkGate(manifest, host::HostIdentity::ofThisBuild());
+      if (manifest.role == Role::Source && is_usable) tryOne(manifest.id);
     }
   }
   if (best) return *best;

@@ -154,7 +154,10 @@ run::SystemOptions withRecording(run::SystemOptions options, const Invocation& i
                         override.substr(equals + 1));
   }
   const std::string text = configurationFor(given, values, "", invocation, use);
-  if (!invocation.quiet) std::cerr << text.substr(0, text.find("\nname: ") + 1);
+  if (!invocation.quiet) {  // the comment without its first line
+    const std::size_t begin = text.find('\n') + 1;
+    std::cerr << text.substr(begin, text.find("\nname: ") + 1 - begin);
+  }
   const int file = ::memfd_create("recording.yaml", 0);  // open until the process ends
   if (::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
     fail(ExitCode::Record, "no memory for the configuration of " + options.config);
