@@ -6,7 +6,7 @@
 #include "host/remote_roles.hpp"
 #include "record/artefacts.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 /// The seed of an instance depends on its name, so adding a plugin does not change the others'.
@@ -24,6 +24,8 @@ FailureKind configureFailure(Role role, const Status& status) {
   return code == StatusCode::Unsupported ? FailureKind::Configuration : FailureKind::Plugin;
 }
 
+}  // namespace
+
 std::unique_ptr<host::Instance> instantiate(const CheckedSystem& system, std::size_t i) {
   const std::string& name = system.config.stages[i].instance;
   const auto& remote = system.remotes[i];
@@ -31,8 +33,6 @@ std::unique_ptr<host::Instance> instantiate(const CheckedSystem& system, std::si
                         : host::Instance::create(system.plugins[i], name),
                  name);
 }
-
-}  // namespace
 
 Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
                    const Cancellation& cancellation)
@@ -68,14 +68,13 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
 void Assembly::add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage) {
   switch (stage.role) {
     case Role::Source:
-      source_ = std::make_unique<pipeline::RectifiedSource>(
+      source_ = std::make_unique<RectifiedSource>(
           std::move(instance), checked_.config.rectification, checked_.config.images);
       source_->judgeBy(*findings_);
       break;
     case Role::Odometry:
       odometry_ = std::make_unique<host::OdometryStage>(std::move(instance));
-      checked_odometry_ =
-          std::make_unique<pipeline::CheckedOdometry>(*odometry_, checked_.config.checks);
+      checked_odometry_ = std::make_unique<CheckedOdometry>(*odometry_, checked_.config.checks);
       break;
     case Role::Place:
       place_ = std::make_unique<host::PlaceStage>(std::move(instance));
@@ -129,14 +128,14 @@ std::string Assembly::stageName(Role role) const {
   return stage == nullptr ? std::string(enumName(role)) : stage->instance;
 }
 
-Failure Assembly::failureOf(const pipeline::StageFailure& failure) const {
+Failure Assembly::failureOf(const StageFailure& failure) const {
   const FailureKind usual = failure.other_scale            ? FailureKind::Continuation
                             : failure.role == Role::Source ? FailureKind::Dataset
                                                            : FailureKind::Stage;
   return {kindOf(failure.status, usual), failure.status.message(), stageName(failure.role)};
 }
 
-pipeline::Policies Assembly::policies() const {
+Policies Assembly::policies() const {
   const auto policy = [&](Role role) {
     const config::StageConfig* stage = stageOf(role);
     return stage == nullptr ? config::FailurePolicy::Stop : stage->on_failure;
@@ -144,4 +143,4 @@ pipeline::Policies Assembly::policies() const {
   return {policy(Role::Odometry), policy(Role::Place), policy(Role::Cells), policy(Role::Map)};
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -15,7 +15,10 @@
 #include "host/stage_artefacts.hpp"
 #include "host/stages.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
+
+/// Constructs the object of stage `i`, here or in its process. Throws Failed.
+std::unique_ptr<host::Instance> instantiate(const CheckedSystem& system, std::size_t i);
 
 /// Holds the stages that are in the scope of the checked system.
 class Assembly {
@@ -43,14 +46,14 @@ class Assembly {
   Status describeArrays(std::vector<ArrayInfo>& arrays);
   /// The name of a stage in the configuration; the name of the role if there is no such stage.
   std::string stageName(Role role) const;
-  Failure failureOf(const pipeline::StageFailure& failure) const;
+  Failure failureOf(const StageFailure& failure) const;
   /// The failure policies of odometry, place, cells and map.
-  pipeline::Policies policies() const;
+  Policies policies() const;
   /// All stages from source to map, which must be in the scope.
-  pipeline::Stages stages() { return {*source_, *checked_odometry_, *place_, *cells_, *map_}; }
-  pipeline::CheckedOdometry& checkedOdometry() { return *checked_odometry_; }
-  pipeline::RectifiedSource& source() { return *source_; }
-  const pipeline::RectifiedSource& source() const { return *source_; }
+  Stages stages() { return {*source_, *checked_odometry_, *place_, *cells_, *map_}; }
+  CheckedOdometry& checkedOdometry() { return *checked_odometry_; }
+  RectifiedSource& source() { return *source_; }
+  const RectifiedSource& source() const { return *source_; }
   host::OdometryStage& odometry() { return *odometry_; }
   host::PlaceStage& place() { return *place_; }
   host::CellsStage& cells() { return *cells_; }
@@ -76,13 +79,13 @@ class Assembly {
   std::unique_ptr<Findings> findings_;  ///< at a fixed address
   std::vector<std::unique_ptr<Services>> services_;
   std::vector<host::Instance*> instances_;
-  std::unique_ptr<pipeline::RectifiedSource> source_;
+  std::unique_ptr<RectifiedSource> source_;
   std::unique_ptr<host::OdometryStage> odometry_;
-  std::unique_ptr<pipeline::CheckedOdometry> checked_odometry_;
+  std::unique_ptr<CheckedOdometry> checked_odometry_;
   std::unique_ptr<host::PlaceStage> place_;
   std::unique_ptr<host::CellsStage> cells_;
   std::unique_ptr<host::MapStage> map_;
   std::vector<RunningObserver> observers_;
 };
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

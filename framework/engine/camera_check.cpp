@@ -5,80 +5,92 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 
-#include "engine/pixel_check.hpp"
-
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
+constexpr double kNearest = 0.01;  // m, of two cameras
+constexpr double kWidest = 10;     // m
 /// Lenses are centred within a few percent; images cut at one side are within a quarter.
 constexpr double kOffCentre = 0.25;
+constexpr double kSquare = 1.05;  // KITTI, EuRoC and TUM-VI: 1.00 to 1.003; not tuned
 // Rectified images of wider lenses are cut, since their edges would be stretched threefold.
 constexpr double kWidestRectified = 115;  // degrees
 constexpr double kWidestRaw = 160;        // degrees; of a lens with radial distortion
 constexpr double kNarrowest = 3;          // degrees
 
-struct Camera {
-  std::string name;  ///< "" or "of the left camera "
-  int width;
-  int height;
-  Pinhole pinhole;
-};
-
-void addCentreDoubt(const Camera& camera, std::vector<std::string>& doubts) {
-  const auto isNear = [](double centre, int size) {
-    return std::abs(centre / size - 0.5) <= kOffCentre;
-  };
-  const Pinhole& K = camera.pinhole;
-  if (isNear(K.cx, camera.width) && isNear(K.cy, camera.height)) return;
-  doubts.push_back(fmt::format(
-      "the principal point {}({:.1f}, {:.1f}) is far from the middle of the {}x{} image; were the "
-      "images resized after the calibration? Then scale fx, fy, cx, cy as well",
-      camera.name, K.cx, K.cy, camera.width, camera.height));
-}
-
-void addViewDoubt(const Camera& camera, double widest, std::vector<std::string>& doubts) {
-  const Pinhole& K = camera.pinhole;
-  if (!(K.fx > 0) || !(K.fy > 0)) return;
-  const double half = std::max(camera.width / K.fx, camera.height / K.fy) / 2;
+/// `whose` begins with a space.
+void checkPinhole(const Pinhole& K, int width, int height, double widest, const std::string& whose,
+                  std::vector<std::string>& doubts) {
+  if (width <= 0 || height <= 0 || !(K.fx > 0) || !(K.fy > 0)) return;
+  if (std::abs(K.cx / width - 0.5) > kOffCentre || std::abs(K.cy / height - 0.5) > kOffCentre) {
+    doubts.push_back(fmt::format(
+        "the principal point{} ({:.1f}, {:.1f}) is far from the middle of the {}x{} image; were "
+        "the images resized after the calibration? Then scale fx, fy, cx, cy as well",
+        whose, K.cx, K.cy, width, height));
+  }
+  const double half = std::max(width / K.fx, height / K.fy) / 2;
   const double degrees = 2 * std::atan(half) * 180 / std::numbers::pi;
-  if (degrees >= kNarrowest && degrees <= widest) return;
-  doubts.push_back(fmt::format(
-      "the focal length {}({:.1f}, {:.1f}) gives the {}x{} image a view of {:.0f} degrees, which "
-      "such cameras hardly have; is it that of these images, in pixels? Depths and paths are wrong "
-      "by its error",
-      camera.name, K.fx, K.fy, camera.width, camera.height, degrees));
+  if (degrees < kNarrowest || degrees > widest) {
+    doubts.push_back(fmt::format(
+        "the focal length{} ({:.1f}, {:.1f}) gives the {}x{} image a view of {:.0f} degrees, which "
+        "such cameras do not have; is it that of these images, in pixels? Depths and paths are "
+        "wrong by its error",
+        whose, K.fx, K.fy, width, height, degrees));
+  }
+  if (std::max(K.fx, K.fy) > kSquare * std::min(K.fx, K.fy)) {
+    doubts.push_back(fmt::format(
+        "the focal lengths{} are {:.5g} px horizontally and {:.5g} px vertically, and pixels of "
+        "cameras are nearly square: if the images were not resized by different factors in the two "
+        "directions, correct fx or fy in the calibration",
+        whose, K.fx, K.fy));
+  }
 }
 
 }  // namespace
 
-std::vector<std::string> cameraDoubts(const CameraRig& rig) {
+std::vector<std::string> cameraDoubts(const RawRig& raw, const CameraRig& rectified) {
   std::vector<std::string> doubts;
-  if (!rig.calibrated || rig.width <= 0 || rig.height <= 0) return doubts;
-  const Camera camera{"", rig.width, rig.height, rig.pinhole};
-  addCentreDoubt(camera, doubts);
-  addViewDoubt(camera, kWidestRectified, doubts);
-  return doubts;
-}
-
-std::vector<std::string> cameraDoubts(const RawRig& rig) {
-  std::vector<std::string> doubts;
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    const RawCamera& raw = rig.cameras[i];
-    if (raw.width <= 0 || raw.height <= 0) continue;
-    const std::string name = rig.cameras.size() < 2 ? ""
-                             : i == 0               ? "of the left camera "
-                                                    : "of the right camera ";
-    const Camera camera{name, raw.width, raw.height, raw.pinhole};
-    addCentreDoubt(camera, doubts);
+  if (rectified.isStereo() && (rectified.baseline < kNearest || rectified.baseline > kWidest)) {
+    doubts.push_back(fmt::format(
+        "the two cameras are {:.4g} m apart, and usual pairs 0.01 to 10 m; all lengths of the run "
+        "are in this unit: if they are not that far apart, correct the baseline (in metres, not mm "
+        "or cm) in the calibration or in the source's parameters",
+        rectified.baseline));
+  }
+  for (std::size_t i = 0; i < raw.cameras.size(); ++i) {
+    const RawCamera& camera = raw.cameras[i];
     const bool is_wide =
-        raw.model == LensModel::Equidistant || raw.model == LensModel::Omnidirectional;
-    if (!is_wide) addViewDoubt(camera, kWidestRaw, doubts);
-    const std::string pixels = pixelDoubt(raw.pinhole, name);
-    if (!pixels.empty()) doubts.push_back(pixels);
+        camera.model == LensModel::Equidistant || camera.model == LensModel::Omnidirectional;
+    const char* whose = raw.cameras.size() < 2 ? ""
+                        : i == 0               ? " of the left camera"
+                                               : " of the right camera";
+    checkPinhole(camera.pinhole, camera.width, camera.height, is_wide ? 360 : kWidestRaw, whose,
+                 doubts);
+  }
+  if (raw.cameras.empty() && rectified.calibrated) {
+    checkPinhole(rectified.pinhole, rectified.width, rectified.height, kWidestRectified, "",
+                 doubts);
   }
   return doubts;
 }
 
-}  // namespace tolman::imaging
+bool isNearlyBlack(const Image& image) {
+  constexpr int kQuarter = 64;
+  constexpr std::size_t kShare = 10'000;
+  if (image.empty()) return false;
+  const std::ptrdiff_t bytes = std::ptrdiff_t{image.width()} * bytesPerPixel(image.format());
+  std::size_t bright = 0;
+  for (int r = 0; r < image.height(); ++r) {
+    const std::uint8_t* row = image.row(r);
+    bright += static_cast<std::size_t>(
+        std::count_if(row, row + bytes, [](std::uint8_t value) { return value >= kQuarter; }));
+  }
+  const auto all = static_cast<std::size_t>(bytes) * static_cast<std::size_t>(image.height());
+  return bright <= all / kShare;
+}
+
+}  // namespace tolman::engine

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/chain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
-#include "engine/brightness.hpp"
-#include "engine/task_isolation.hpp"
+#include "engine/camera_check.hpp"
 
-namespace tolman::pipeline {
+namespace tolman::engine {
 namespace {
 
-// A graph below this size is published at every change; a larger one at most every n-th frame,
-// with n in proportion to its size.
-constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links; chosen, not tuned
+// A graph below kGraphSizePerFrame is published at every change; a larger one at most every n-th
+// frame, with n in proportion to its size, and above kLargeGraph to the square of its size: then
+// all that a long run publishes costs less than driving it. Experiences and links; chosen, not
+// tuned.
+constexpr std::size_t kGraphSizePerFrame = 400;
+constexpr std::size_t kLargeGraph = 20'000;
 
 /// A record with default values, for this frame.
 template <Record R>
-R recordOf(const Frame& frame) {
+R blankOf(const Frame& frame) {
   R record;
   record.frame = frame.frame;
   record.stamp_ns = frame.stamp_ns;
@@ -66,21 +70,22 @@ std::optional<StageFailure> Chain::failure() const {
 bool Chain::applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
                         Role role) {
   if (status.isOk()) return true;
-  const std::string name(enumName(role));
   if (policy == config::FailurePolicy::Stop) {
-    listener_.onEvent({frame, LogLevel::Error, name, status.message()});
+    listener_.onEvent({frame, LogLevel::Error, std::string(enumName(role)), status.message()});
     fail(role, status);
     return false;
   }
   if (frame >= 0 && std::exchange(last_skipped_frame_, frame) != frame) ++counters_.skipped;
-  const FailureTally::Report report = failures_.count(name);
-  if (report == FailureTally::Report::No) return true;
-  const char* last =
-      report == FailureTally::Report::Last ? "; further ones are counted, not reported" : "";
-  listener_.onEvent(
-      {frame, LogLevel::Warning, name,
-       status.message() + (frame < 0 ? "; the run continues" : "; frame skipped") + last});
+  warn(frame, role, status.message() + (frame < 0 ? "; the run continues" : "; frame skipped"));
   return true;
+}
+
+void Chain::warn(std::int64_t frame, Role role, const std::string& text) {
+  listener_.onEvent({frame, LogLevel::Warning, std::string(enumName(role)), text});
+}
+
+Status Chain::readFrame(FrameRecords& records) {
+  return timed(records.times, Role::Source, [&] { return stages_.source.next(records.frame); });
 }
 
 void Chain::admit(FrameRecords& records) {
@@ -103,7 +108,7 @@ void Chain::odometry(FrameRecords& records) {
 void Chain::place(FrameRecords& records) {
   --place_backlog_;
   if (failed()) return;
-  records.place = recordOf<PlaceObservation>(records.frame);
+  records.place = blankOf<PlaceObservation>(records.frame);
   if (!records.leave_out_place) {
     const Motion* motion = place_needs_motion_ ? &records.motion : nullptr;
     records.place_status = timed(records.times, Role::Place, [&] {
@@ -129,38 +134,45 @@ bool Chain::acceptMotion(FrameRecords& records) {
   return true;
 }
 
-/// Lengths of another kind than those of the earlier session end the run, whatever the policy of
-/// odometry: its map would have two units. Within a run they are told.
+/// Lengths of another unit than those of the earlier session end the run, whatever the policy of
+/// odometry: its map would have two units. Within a run there is a warning. Only tracked motions
+/// are compared: others have no lengths, or are predicted.
 bool Chain::acceptScale(const Motion& motion) {
-  const auto change = scale_check_.check(motion);
-  if (!change) return true;
-  if (change->ends_run) {
-    listener_.onEvent({motion.frame, LogLevel::Error, "odometry", change->text});
-    const std::lock_guard lock(failure_mutex_);
-    if (!failure_) failure_ = {Role::Odometry, Status::failed(change->text), true};
-    return false;
+  if (motion.state != TrackingState::Tracking) return true;
+  const auto before = std::exchange(scale_, MapScale{motion.scale_known, {}});
+  if (!before || before->is_known == motion.scale_known) return true;
+  const auto unit = [](bool is_known) {
+    return is_known ? "metres (scale_known is true)" : "arbitrary units (scale_known is false)";
+  };
+  if (before->session.empty()) {
+    warn(motion.frame, Role::Odometry,
+         fmt::format("the lengths of this motion are in {}, those before in {}; the map joins both "
+                     "as if they were of one unit, so its lengths and errors mean nothing: answer "
+                     "`initialising` until the scale is known",
+                     unit(motion.scale_known), unit(before->is_known)));
+    return true;
   }
-  const FailureTally::Report report = failures_.count("changes of the scale");
-  if (report == FailureTally::Report::No) return true;
-  const char* last = report == FailureTally::Report::Last ? "; further ones are not reported" : "";
-  listener_.onEvent({motion.frame, LogLevel::Warning, "odometry", change->text + last});
-  return true;
+  const std::string text = fmt::format(
+      "frame {}: odometry gives lengths in {}, and the map of the earlier session {} "
+      "has lengths in {}; continue it with an odometry of the same kind, or begin a "
+      "new map without --continue",
+      motion.frame, unit(motion.scale_known), before->session, unit(before->is_known));
+  listener_.onEvent({motion.frame, LogLevel::Error, "odometry", text});
+  const std::lock_guard lock(failure_mutex_);
+  if (!failure_) failure_ = {Role::Odometry, Status::failed(text), true};
+  return false;
 }
 
 void Chain::reportImpossible(std::int64_t frame, const std::string& text) {
   ++counters_.impossible;
-  const FailureTally::Report report = failures_.count("impossible motions");
-  if (report == FailureTally::Report::No) return;
-  const char* last =
-      report == FailureTally::Report::Last ? "; further ones are counted, not reported" : "";
-  listener_.onEvent({frame, LogLevel::Warning, "odometry", text + last});
+  warn(frame, Role::Odometry, text);
 }
 
 bool Chain::acceptObservation(FrameRecords& records) {
   const Status& status = records.place_status;
   if (!applyPolicy(status, policies_.place, records.frame.frame, Role::Place)) return false;
   if (status.isOk()) return true;
-  records.place = recordOf<PlaceObservation>(records.frame);
+  records.place = blankOf<PlaceObservation>(records.frame);
   return true;
 }
 
@@ -178,7 +190,7 @@ bool Chain::runCells(FrameRecords& records) {
   if (!applyPolicy(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
   if (!arrays.isOk()) records.cells.clear();
   if (!status.isOk()) {
-    records.decision = recordOf<Decision>(records.frame);
+    records.decision = blankOf<Decision>(records.frame);
     records.decision.experience = last_decision_.experience;
     records.decision.heading = last_decision_.heading;
   }
@@ -200,7 +212,6 @@ bool Chain::runMap(FrameRecords& records) {
     records.map.T_world_camera = last_map_.T_world_camera * step;
   } else {
     ++mapped_;
-    path_check_.add(records.motion);
   }
   publishGraph(records);
   last_map_ = records.map;
@@ -221,7 +232,8 @@ void Chain::publishGraph(FrameRecords& records) {
   records.graph_changed = applyPolicy(status, policies_.map, now.frame, Role::Map) && status.isOk();
   if (records.graph_changed) countGraph(records.graph);
   const std::size_t size = records.graph.experiences.size() + records.graph.links.size();
-  next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(size / kGraphSizePerFrame);
+  const std::size_t rarer = std::max<std::size_t>(1, size / kLargeGraph);
+  next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(size / kGraphSizePerFrame * rarer);
 }
 
 void Chain::runCellsAndMap(FrameRecords& records) {
@@ -247,8 +259,8 @@ void Chain::save(Role role, host::Instance& instance, FrameRecords& records) {
   }
   records.checkpoint.reset();
   if (!can_save_.exchange(false)) return;  // warns once; other frames may be in the flow
-  listener_.onEvent({records.frame.frame, LogLevel::Warning, std::string(enumName(role)),
-                     "this run saves no further checkpoints: " + state.status().message()});
+  warn(records.frame.frame, role,
+       "this run saves no further checkpoints: " + state.status().message());
 }
 
 void Chain::saveCellsAndMap(FrameRecords& records) {
@@ -276,7 +288,7 @@ void Chain::resume(const ResumePoint& point) {
   last_motion_ = point.motion;
   last_decision_ = point.decision;
   last_map_ = point.map;
-  if (point.scale) scale_check_.startFrom(*point.scale);
+  if (point.scale) scale_ = point.scale;
 }
 
 void Chain::count(const FrameRecords& records) {
@@ -290,7 +302,7 @@ void Chain::count(const FrameRecords& records) {
   if (lost) ++counters_.lost;
   if (records.motion.state == TrackingState::Initialising) ++counters_.initialising;
   const bool tracking = records.motion.state == TrackingState::Tracking;
-  if (!tracking && imaging::isNearlyBlack(records.frame.left)) ++counters_.nearly_black;
+  if (!tracking && isNearlyBlack(records.frame.left)) ++counters_.nearly_black;
   const auto& motion = records.motion.T_previous_current.matrix();
   if (tracking && motion == Eigen::Matrix4d::Identity()) ++counters_.unmoved;
   if (lost != counters_.lost_at_end) {
@@ -339,9 +351,6 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
 /// frames that were attached to an experience by it.
 void Chain::publishTrajectory(std::vector<FramePose>& poses) {
   (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
-  if (const auto problem = path_check_.contradiction(poses)) {
-    listener_.onEvent({-1, LogLevel::Warning, "map", *problem});
-  }
   const Status published = listener_.onTrajectory(poses);
   if (!published.isOk()) fail(Role::Observer, published);
 }
@@ -367,7 +376,7 @@ void Chain::completeCounters() {
   }
   if (failed()) return;  // that is why there was no motion, or no more of it
   if (const std::string_view cause = counters_.endText(); !cause.empty()) {
-    listener_.onEvent({-1, LogLevel::Warning, "odometry", std::string(cause)});
+    warn(-1, Role::Odometry, std::string(cause));
   }
 }
 
@@ -408,4 +417,4 @@ void Chain::finish() {
   if (!published.isOk()) fail(Role::Observer, published);
 }
 
-}  // namespace tolman::pipeline
+}  // namespace tolman::engine

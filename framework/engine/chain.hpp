@@ -2,24 +2,57 @@
 // The stages of a run in the order of the flow, and what happens when one of them fails.
 #pragma once
 
+#include <oneapi/tbb/task_arena.h>
+
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <optional>
 
 #include "config/settings.hpp"
-#include "engine/checked_odometry.hpp"
-#include "engine/failure_tally.hpp"
 #include "engine/frame_records.hpp"
-#include "engine/listener.hpp"
-#include "engine/path_check.hpp"
 #include "engine/rectified_source.hpp"
-#include "engine/run_counters.hpp"
-#include "engine/scale_check.hpp"
-#include "engine/stage_activity.hpp"
 #include "host/guard.hpp"
 #include "host/stages.hpp"
 
-namespace tolman::pipeline {
+namespace tolman::engine {
+
+/// Calls `call` and returns its result. While `call` waits for its own parallel loops, its thread
+/// takes no tasks of other stages: decoding an image in the meantime would delay the answer and all
+/// stages that wait for it.
+template <class Call>
+auto withoutOtherTasks(Call&& call) {
+  return tbb::this_task_arena::isolate(call);
+}
+
+/// Which stages work at this moment, and since when, ns of the steady clock; 0 while they wait.
+using StageActivity = std::array<std::atomic<std::int64_t>, kRoleNames.size()>;
+
+/// Marks a role as working while this object exists, and then adds that time to `times`.
+class StageTimer {
+ public:
+  StageTimer(StageActivity& activity, StageTimes& times, Role role)
+      : since_(activity[static_cast<std::size_t>(role)]),
+        time_(times[static_cast<std::size_t>(role)]),
+        start_(now()) {
+    since_ = start_;
+  }
+  ~StageTimer() {
+    since_ = 0;
+    time_ += now() - start_;
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  static std::int64_t now() {
+    return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+  }
+  std::atomic<std::int64_t>& since_;
+  std::int64_t& time_;
+  std::int64_t start_;
+};
 
 struct Policies {
   config::FailurePolicy odometry = config::FailurePolicy::Stop;
@@ -75,7 +108,7 @@ class Chain {
   /// the state of the checkpoint.
   void resume(const ResumePoint& point);
   /// The map of an earlier session is continued; call it before the first frame is admitted.
-  void continueMap(MapScale scale) { scale_check_.startFrom(std::move(scale)); }
+  void continueMap(MapScale scale) { scale_ = std::move(scale); }
 
   /// Whether a stage or the listener failed; no later frame is answered.
   bool failed() const;
@@ -103,7 +136,9 @@ class Chain {
   /// Time that finish() of each stage took.
   const StageTimes& finishTimes() const { return finish_times_ns_; }
   /// The stages that are being called at this moment, the source and finish() included.
-  StageActivity& stageActivity() { return activity_; }
+  const StageActivity& stageActivity() const { return activity_; }
+  /// Reads the next frame of the source.
+  Status readFrame(FrameRecords& records);
   const RunCounters& counters() const { return counters_; }
   RunCounters& counters() { return counters_; }
   Stages& stages() { return stages_; }
@@ -114,6 +149,7 @@ class Chain {
   /// Whether the run continues after an answer with this status (`on_failure` of the stage).
   bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
                    Role role);
+  void warn(std::int64_t frame, Role role, const std::string& text);
   bool acceptMotion(FrameRecords& records);
   bool acceptScale(const Motion& motion);
   void reportImpossible(std::int64_t frame, const std::string& text);
@@ -142,8 +178,7 @@ class Chain {
   /// Calls `work`, marks the role as active during the call, and adds its time to `times`.
   template <class Work>
   Status timed(StageTimes& times, Role role, const Work& work) {
-    const StageTimer timer(times, role);
-    const StageActivity::Mark mark(activity_, role);
+    const StageTimer timer(activity_, times, role);
     return work();
   }
   void save(Role role, host::Instance& instance, FrameRecords& records);
@@ -155,14 +190,12 @@ class Chain {
   bool place_needs_motion_;
   std::atomic<bool> can_save_;  // false also after a stage has failed to save its state
   RunCounters counters_;
-  StageActivity activity_;
+  StageActivity activity_{};
   StageTimes finish_times_ns_{};
   std::int64_t unanswered_ = -1;  ///< first frame without answers, because a stage failed; -1: none
   std::optional<StageFailure> failure_;
   std::optional<Status> input_failure_;
-  FailureTally failures_;  // by role
-  ScaleCheck scale_check_;
-  PathCheck path_check_;
+  std::optional<MapScale> scale_;  // none: nothing was tracked so far
   std::int64_t last_skipped_frame_ = -1;
   mutable std::mutex failure_mutex_;
   Motion last_motion_;
@@ -175,4 +208,4 @@ class Chain {
   std::atomic<int> place_backlog_ = 0;
 };
 
-}  // namespace tolman::pipeline
+}  // namespace tolman::engine

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/checked_system.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <set>
 
 #include "config/loader.hpp"
 #include "config/tree.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 using Kind = config::Problem::Kind;
@@ -142,6 +145,26 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
       host::searchPath(plugin_paths, std::getenv("TOLMAN_PLUGIN_PATH"), executable));
 }
 
+host::OrRefusal<std::string> findPageObserver(const host::Catalogue& catalogue,
+                                              const std::string& wanted) {
+  std::set<std::string> ids;
+  for (const host::Manifest& manifest : catalogue.manifests()) {
+    if (manifest.role == Role::Observer && manifest.hasExtra("page")) ids.insert(manifest.id);
+  }
+  if (!wanted.empty()) {
+    const auto found = catalogue.find(wanted, Role::Observer);
+    if (const auto* refusal = std::get_if<host::Refusal>(&found)) return *refusal;
+    if (ids.contains(wanted)) return wanted;
+  } else if (!ids.empty()) {
+    return *ids.begin();
+  }
+  return host::Refusal{"plugin/no-page",
+                       wanted.empty() ? "no observer on the search path serves a page"
+                                      : "observer '" + wanted + "' serves no page",
+                       ids.empty() ? "name the folder of such an observer with --plugin-path"
+                                   : fmt::format("observers that do: {}", fmt::join(ids, ", "))};
+}
+
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role) {
   return require(
       host::loadPlugin(require(catalogue.find(id, role)), host::HostIdentity::ofThisBuild()));
@@ -204,4 +227,4 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
                  config::format(problems)};
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

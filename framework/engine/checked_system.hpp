@@ -16,7 +16,7 @@
 #include "host/library.hpp"
 #include "host/remote_plugin.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 /// Choices of the caller; all others are in the configuration.
 struct SystemOptions {
@@ -37,6 +37,12 @@ struct SystemOptions {
 /// Manifests along the search path: `plugin_paths`, TOLMAN_PLUGIN_PATH, then the build or install
 /// tree of this program.
 host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);
+
+/// Id of the observer that serves a page of the run, for `--view` and `tolman view`: `wanted`, or
+/// when that is empty the first one by id whose manifest lists the extra `page` (class PageServer
+/// of the SDK). Refusals: plugin/not-found, plugin/no-page, and those of Catalogue::find().
+host::OrRefusal<std::string> findPageObserver(const host::Catalogue& catalogue,
+                                              const std::string& wanted = {});
 
 /// Finds one plugin, checks the gate and opens it. Throws Failed.
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role);
@@ -74,4 +80,4 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options,
 /// cannot be read: checkSystem() reports why.
 bool hasChain(const SystemOptions& options);
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

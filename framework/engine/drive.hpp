@@ -2,12 +2,31 @@
 // Drives all frames of a source through the stages.
 #pragma once
 
+#include <string_view>
+
 #include "config/settings.hpp"
 #include "engine/chain.hpp"
-#include "engine/latency.hpp"
 #include "tolman/context.hpp"
 
-namespace tolman::pipeline {
+namespace tolman::engine {
+
+/// The clock for the time at which a frame was exposed.
+enum class ExposureClock : std::uint8_t {
+  Pace,       ///< when a camera that plays the recording at the set speed would have exposed it
+  Monotonic,  ///< the stamp, which a live source takes from the machine's monotonic clock
+  System,     ///< the stamp, likewise from the system clock (UTC)
+};
+inline constexpr std::array<std::string_view, 3> kExposureClockNames = {"pace", "monotonic",
+                                                                        "system"};
+constexpr std::span<const std::string_view> enumNames(ExposureClock) { return kExposureClockNames; }
+
+/// Time from the exposure of a frame to its pose in the map, in realtime runs.
+struct Latency {
+  std::int64_t frames = 0;  ///< number of measured frames; 0 in lossless runs
+  double median_ms = 0;
+  double p99_ms = 0;
+  ExposureClock clock = ExposureClock::Pace;
+};
 
 struct DriveResult {
   std::optional<StageFailure> failure;  ///< what stopped the run early, if anything
@@ -25,10 +44,19 @@ int concurrency(int threads);
 DriveResult drive(Chain& chain, const config::PipelineSettings& options, int threads,
                   const Cancellation& cancellation);
 
+/// The clock of stamps: those of a live camera if the source does not know its number of frames and
+/// the stamp is within the last 5 s of one of the machine's clocks.
+ExposureClock exposureClock(bool is_endless, std::int64_t stamp_ns, std::int64_t monotonic_ns,
+                            std::int64_t system_ns);
+
+/// Whether a source without a next frame has not failed: it is at its end, or noticed itself that
+/// the run was interrupted.
+bool isEndOfInput(const Status& status, const Cancellation& cancellation);
+
 /// The two ways to pass frames to the stages; drive() chooses by `options.mode`.
 void runLossless(Chain& chain, const config::PipelineSettings& options,
                  const Cancellation& cancellation);
 Latency runRealtime(Chain& chain, const config::PipelineSettings& options,
                     const Cancellation& cancellation);
 
-}  // namespace tolman::pipeline
+}  // namespace tolman::engine

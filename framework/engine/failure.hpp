@@ -12,11 +12,12 @@
 #include <utility>
 #include <variant>
 
+#include "engine/old_names.hpp"
+#include "host/gate.hpp"
 #include "host/guard.hpp"
-#include "host/refusal.hpp"
 #include "tolman/status.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 enum class FailureKind : std::uint8_t {
   Configuration,  ///< a file, an override or a parameter is wrong
@@ -83,4 +84,4 @@ T require(host::OrRefusal<T> answer, const std::string& stage = {}) {
   return std::get<T>(std::move(answer));
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

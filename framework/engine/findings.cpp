@@ -4,12 +4,19 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <iterator>
 #include <utility>
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
-/// The text without its numbers, which differ within one kind.
+std::string textOf(const Finding& finding) {
+  std::string text = finding.where + (finding.where.empty() ? "" : ": ") + finding.message;
+  return finding.remedy.empty() ? text : text + "; " + finding.remedy;
+}
+
+}  // namespace
+
 std::string withoutNumbers(const std::string& text) {
   std::string kept;
   for (const char c : text) {
@@ -19,13 +26,6 @@ std::string withoutNumbers(const std::string& text) {
   }
   return kept;
 }
-
-std::string textOf(const Finding& finding) {
-  std::string text = finding.where + (finding.where.empty() ? "" : ": ") + finding.message;
-  return finding.remedy.empty() ? text : text + "; " + finding.remedy;
-}
-
-}  // namespace
 
 LogLevel Findings::Kind::level() const {
   return first.severity == Finding::Severity::Note ? LogLevel::Info : LogLevel::Warning;
@@ -49,10 +49,7 @@ void Findings::add(const std::string& stage, Finding finding) {
 
 Status Findings::judge(const Status& status, std::int64_t frame) {
   const std::lock_guard lock(mutex_);
-  for (auto finding = untaken_.rbegin(); finding != untaken_.rend(); ++finding) {
-    if (finding->frame >= 0) break;
-    finding->frame = frame;
-  }
+  for (; addressed_ < untaken_.size(); ++addressed_) untaken_[addressed_].frame = frame;
   const std::size_t begin = std::exchange(judged_, kinds_.size());
   if (policy_ == config::FindingPolicy::Continue && status.isOk()) return status;
   std::int64_t errors = 0;
@@ -93,9 +90,15 @@ std::vector<Findings::Kind> Findings::takeGrownKinds() {
   return taken;
 }
 
-std::vector<record::RecordedFinding> Findings::take() {
+std::vector<record::RecordedFinding> Findings::take(bool at_end) {
   const std::lock_guard lock(mutex_);
-  return std::exchange(untaken_, {});
+  const auto end =
+      untaken_.begin() + static_cast<std::ptrdiff_t>(at_end ? untaken_.size() : addressed_);
+  std::vector<record::RecordedFinding> taken(std::make_move_iterator(untaken_.begin()),
+                                             std::make_move_iterator(end));
+  untaken_.erase(untaken_.begin(), end);
+  addressed_ = 0;
+  return taken;
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

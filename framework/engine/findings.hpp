@@ -9,11 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "base/record_rows.hpp"
 #include "config/settings.hpp"
-#include "record/rows.hpp"
+#include "engine/old_names.hpp"
 #include "tolman/context.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
+
+/// The text with `#` for its numbers, which differ within one kind of warnings.
+std::string withoutNumbers(const std::string& text);
 
 /// Callable from any thread.
 class Findings {
@@ -40,13 +44,14 @@ class Findings {
   std::vector<Kind> takeNewKinds();
   /// What to print at the end: the kinds with more findings than were printed.
   std::vector<Kind> takeGrownKinds();
-  /// The findings that were not taken yet.
-  std::vector<record::RecordedFinding> take();
+  /// The findings that were not taken yet; during a run only those whose frame is known.
+  std::vector<record::RecordedFinding> take(bool at_end = true);
 
  private:
   std::mutex mutex_;
   config::FindingPolicy policy_;
   std::vector<record::RecordedFinding> untaken_;
+  std::size_t addressed_ = 0;                 ///< of `untaken_`: their frame is known
   std::vector<Kind> kinds_;                   ///< in the order of their first finding
   std::map<std::string, std::size_t> index_;  ///< of `kinds_`, by stage, severity and text
   std::size_t judged_ = 0;                    ///< of `kinds_`
@@ -63,4 +68,4 @@ class StageFindings : public FindingCollector {
   std::string stage_;
 };
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

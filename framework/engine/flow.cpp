@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/flow.hpp"
 
-#include <chrono>
-#include <thread>
-
-namespace tolman::pipeline {
+namespace tolman::engine {
 namespace flow = tbb::flow;
 
 namespace {
@@ -12,18 +9,6 @@ namespace {
 constexpr auto kSequenceOf = [](const FrameRecordsPtr& records) { return records->sequence; };
 
 }  // namespace
-
-WaitForGraph::~WaitForGraph() {
-  for (bool is_idle = false; !is_idle;) {
-    try {
-      graph_.cancel();
-      graph_.wait_for_all();
-      is_idle = true;
-    } catch (...) {  // memory is short, until other tasks have ended
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-}
 
 Flow::Flow(flow::graph& graph, Chain& chain, std::function<void(const FrameRecords&)> on_done)
     : entry_(graph, kSequenceOf),
@@ -54,20 +39,11 @@ Flow::Flow(flow::graph& graph, Chain& chain, std::function<void(const FrameRecor
         done(*records);
         return records;
       }) {
-  try {
-    connect(chain.placeNeedsMotion());
-  } catch (...) {  // an edge makes a task, and may find no thread or memory for the next one
-    const WaitForGraph at_end(graph);
-    throw;
-  }
-}
-
-void Flow::connect(bool place_needs_motion) {
   flow::make_edge(entry_, fork_);
   flow::make_edge(fork_, odometry_);
   flow::make_edge(odometry_, after_odometry_);
   flow::make_edge(place_, after_place_);
-  if (place_needs_motion) {
+  if (chain.placeNeedsMotion()) {
     flow::make_edge(after_odometry_, place_);
     flow::make_edge(after_place_, before_cells_and_map_);
   } else {
@@ -82,4 +58,4 @@ void Flow::connect(bool place_needs_motion) {
   flow::make_edge(after_cells_and_map_, publish_);
 }
 
-}  // namespace tolman::pipeline
+}  // namespace tolman::engine

@@ -10,20 +10,7 @@
 
 #include "engine/chain.hpp"
 
-namespace tolman::pipeline {
-
-/// Its destructor waits until no task of the graph is left, also after an exception. Tasks use the
-/// nodes, so it must be destroyed before them.
-class WaitForGraph {
- public:
-  explicit WaitForGraph(tbb::flow::graph& graph) : graph_(graph) {}
-  WaitForGraph(const WaitForGraph&) = delete;
-  WaitForGraph& operator=(const WaitForGraph&) = delete;
-  ~WaitForGraph();
-
- private:
-  tbb::flow::graph& graph_;
-};
+namespace tolman::engine {
 
 /// Odometry and place recognition side by side (or one after the other, where place recognition
 /// needs the motion), then cells and map, then recorder and observers.
@@ -39,8 +26,6 @@ class Flow {
   using Sequencer = tbb::flow::sequencer_node<FrameRecordsPtr>;
   using Pair = std::tuple<FrameRecordsPtr, FrameRecordsPtr>;
 
-  void connect(bool place_needs_motion);
-
   Sequencer entry_;
   tbb::flow::broadcast_node<FrameRecordsPtr> fork_;
   Node odometry_;
@@ -55,4 +40,4 @@ class Flow {
   Node publish_;
 };
 
-}  // namespace tolman::pipeline
+}  // namespace tolman::engine

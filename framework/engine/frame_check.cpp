@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/frame_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
 // Measuring a pair takes 2 ms, so only every fifth frame is measured; every frame during a fault.
-constexpr int kMeasuredEvery = 5;  // frames
-constexpr int kCertain = 12;       // matches; with fewer, two measures must find the same fault
-constexpr int kSoundAgain = 5;     // measures without a fault, in succession, that end it
+constexpr int kMeasuredEvery = 5;    // frames
+constexpr int kCertain = 12;         // matches; with fewer, two measures must find the same fault
+constexpr int kSoundAgain = 5;       // measures without a fault, in succession, that end it
+constexpr std::size_t kFewest = 20;  // matches of which rowsText() speaks
+constexpr std::size_t kMostRows = 500;  // likewise
 
 /// Whether two images have the same pixels. Two exposures of a real camera never have, because of
 /// noise.
@@ -51,6 +56,9 @@ StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
   const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
   const StereoFault measured = faultOf(measure);
+  if (rows_.size() < kMostRows) {
+    rows_.insert(rows_.end(), measure.rows.begin(), measure.rows.end());
+  }
   const bool certain = measure.matched >= kCertain || measured == last_measured_;
   last_measured_ = measured;
   if (measured != StereoFault::None) {
@@ -69,27 +77,18 @@ FrameCheck::Verdict FrameCheck::verdictOn(const Frame& frame) {
   const bool left = samePixels(frame.left, left_) && !isUniform(frame.left);
   const bool right = samePixels(frame.right, right_) && !isUniform(frame.right);
   if (left) {
-    return {Fault::Left, Use::None,
-            right ? "both images repeat those of the frame before: no new ones come"
-                  : "the left image repeats that of the frame before: no new one comes"};
+    return {Use::None, right ? "both images repeat those of the frame before: no new ones come"
+                             : "the left image repeats that of the frame before: no new one comes"};
   }
-  if (right)
-    return {Fault::Right, Use::Left,
-            "the right image repeats that of the frame before: no new one comes"};
+  if (right) {
+    return {Use::Left, "the right image repeats that of the frame before: no new one comes"};
+  }
   if (samePixels(frame.left, frame.right) && !isUniform(frame.left)) {
-    return {Fault::Equal, Use::Left, "the right image is the left one"};
+    return {Use::Left, "the right image is the left one"};
   }
-  switch (stereoFault(frame)) {
-    case StereoFault::None:
-      break;
-    case StereoFault::Exchanged:
-      return {Fault::Exchanged, Use::None, stereo_text_};
-    case StereoFault::RowsApart:
-      return {Fault::RowsApart, Use::Left, stereo_text_};
-    case StereoFault::OtherTime:
-      return {Fault::OtherTime, Use::Left, stereo_text_};
-  }
-  return {};
+  const StereoFault fault = stereoFault(frame);
+  if (fault == StereoFault::None) return {};
+  return {fault == StereoFault::Exchanged ? Use::None : Use::Left, stereo_text_};
 }
 
 std::optional<std::string> FrameCheck::check(Frame& frame) {
@@ -97,12 +96,21 @@ std::optional<std::string> FrameCheck::check(Frame& frame) {
   const Verdict verdict = verdictOn(frame);
   left_ = frame.left;
   right_ = frame.right;
+  if (verdict.use == Use::Both) return std::nullopt;
   if (verdict.use == Use::Left) frame.right = darkened(frame.right);
   if (verdict.use == Use::None) frame.left = frame.right = Image();
-  if (verdict.use != Use::Both) frame.defect = verdict.text;
-  const bool begins = verdict.fault != Fault::None && verdict.fault != last_;
-  last_ = verdict.fault;
-  return begins ? std::optional(verdict.text) : std::nullopt;
+  frame.defect = verdict.text;
+  return verdict.text;
 }
 
-}  // namespace tolman::imaging
+std::string FrameCheck::rowsText() const {
+  if (rows_.size() < kFewest) return "";
+  const double low = quantile(rows_, 0.5);
+  std::vector<double> apart = rows_;
+  for (double& row : apart) row = std::fabs(row);
+  return fmt::format(
+      "of {} corners the right image is {:.1f} px {} (median), and 90 % are within {:.1f} px",
+      rows_.size(), std::fabs(low), low < 0 ? "high" : "low", quantile(apart, 0.9));
+}
+
+}  // namespace tolman::engine

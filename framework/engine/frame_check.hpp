@@ -6,23 +6,24 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/stereo_check.hpp"
 #include "tolman/records.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 
 class FrameCheck {
  public:
   /// Call it with each frame, in order. If the images have a fault, both are removed, or only the
-  /// right one is made black; `defect` then says why. Returns a note where a fault begins.
+  /// right one is made black; `defect` and the result then say why.
   std::optional<std::string> check(Frame& frame);
+  /// How well the rows of the first measured pairs agree; empty if none could be measured.
+  std::string rowsText() const;
 
  private:
   enum class Use { Both, Left, None };
-  enum class Fault { None, Left, Right, Equal, Exchanged, RowsApart, OtherTime };
   struct Verdict {
-    Fault fault = Fault::None;
     Use use = Use::Both;
     std::string text;  ///< description of the fault
   };
@@ -36,7 +37,7 @@ class FrameCheck {
   StereoFault last_measured_ = StereoFault::None;
   StereoFault fault_ = StereoFault::None;
   std::string stereo_text_;   ///< of the last measure with that fault
-  Fault last_ = Fault::None;  ///< of the last frame
+  std::vector<double> rows_;  ///< right minus left, px, of the first matched corners
 };
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

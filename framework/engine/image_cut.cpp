@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
 constexpr int kMinCutSide = 32;     // px, least width and height of an image
@@ -180,4 +180,4 @@ void ImageCut::apply(NamedArray& values) const {
   values = std::move(made);
 }
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

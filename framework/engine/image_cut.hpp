@@ -11,7 +11,7 @@
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 
 /// Weights of the pixels that each new pixel covers, along one axis.
 class PixelMeans {
@@ -70,4 +70,4 @@ class ImageCut {
   PixelMeans rows_;
 };
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <iterator>
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,27 +70,6 @@ std::vector<std::string> inputPaths(const CheckedSystem& system) {
   return inputPaths(system.config, system.values, schemasOf(system));
 }
 
-std::vector<std::string> statePaths(const CheckedSystem& system) {
-  config::SystemConfig config = system.config;
-  config.general.continue_from.clear();
-  std::erase_if(config.stages, [](const config::StageConfig& stage) {
-    return stage.role != Role::Place && stage.role != Role::Cells && stage.role != Role::Map;
-  });
-  return inputPaths(config, system.values, schemasOf(system));
-}
-
-std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths) {
-  std::vector<record::DataFile> files;
-  for (const std::string& path : paths) {
-    try {
-      std::ranges::move(record::dataFiles(path), std::back_inserter(files));
-    } catch (const fs::filesystem_error&) {
-      continue;  // run.json has the reason
-    }
-  }
-  return files;
-}
-
 std::set<std::string> missingPaths(const config::SystemConfig& config,
                                    const config::StageValues& values, const StageSchemas& schemas) {
   std::set<std::string> missing;
@@ -106,4 +84,4 @@ std::set<std::string> missingPaths(const config::SystemConfig& config,
   return missing;
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -11,9 +11,8 @@
 #include "config/system_config.hpp"
 #include "engine/checked_system.hpp"
 #include "host/library.hpp"
-#include "record/data_files.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 /// What the plugins of the stages declare, by the name of the stage; not of stages without a
 /// plugin.
@@ -27,15 +26,9 @@ std::vector<std::string> inputPaths(const config::SystemConfig& config,
 /// The inputPaths() of a system that is about to run.
 std::vector<std::string> inputPaths(const CheckedSystem& system);
 
-/// Those of the stages whose state a later run loads: place, cells and map.
-std::vector<std::string> statePaths(const CheckedSystem& system);
-
-/// All files of these paths, as they are now. Folders that cannot be read are left out.
-std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths);
-
 /// Paths of the source that do not exist (yet), and that of the run to continue. A run that reads
 /// one of them will fail.
 std::set<std::string> missingPaths(const config::SystemConfig& config,
                                    const config::StageValues& values, const StageSchemas& schemas);
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
 // Limits of the distortion model: 84 degrees for a pinhole, the whole sphere for a fisheye.
@@ -89,4 +89,4 @@ std::optional<Eigen::Vector2d> Lens::pixelOf(const Eigen::Vector3d& point) const
   return inside ? pixel : std::nullopt;
 }
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

@@ -7,7 +7,7 @@
 
 #include "tolman/camera.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 
 class Lens {
  public:
@@ -32,4 +32,4 @@ class Lens {
   double limit_ = 0;  ///< radius, or angle for Equidistant, up to which the distortion grows
 };
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

@@ -7,7 +7,7 @@
 #include <immintrin.h>
 #endif
 
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
 constexpr int kGroup = 8;
@@ -149,4 +149,4 @@ void interpolateRow(const Image& raw, std::span<const RawPosition> positions,
   interpolatePositions<1>(raw, positions, out);
 }
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

@@ -9,7 +9,7 @@
 
 #include "tolman/image.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 
 /// Positions are rounded to this fraction of a pixel: 1/64.
 constexpr int kParts = 64;
@@ -45,4 +45,4 @@ bool hasGroupInstructions();
 void interpolateRow(const Image& raw, std::span<const RawPosition> positions,
                     const PixelGroup* groups, std::uint8_t* out);
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

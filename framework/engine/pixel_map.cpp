@@ -9,7 +9,7 @@
 
 #include "engine/lens.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
 constexpr int kRowsAtOnce = 32;  // rows per task
@@ -71,4 +71,4 @@ Image PixelMap::apply(const Image& raw) const {
   });
 }
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

@@ -11,7 +11,7 @@
 #include "tolman/camera.hpp"
 #include "tolman/image.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 
 class PixelMap {
  public:
@@ -39,4 +39,4 @@ class PixelMap {
   std::vector<PixelGroup> groups_;      ///< the same in groups, or none
 };
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

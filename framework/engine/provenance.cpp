@@ -3,24 +3,27 @@
 
 #include <fmt/chrono.h>
 #include <gnu/libc-version.h>
+#include <link.h>
 #include <sqlite3.h>
 #include <sys/utsname.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <thread>
 
 #include "config/json_text.hpp"
 #include "engine/build_info.hpp"
 #include "engine/input_data.hpp"
-#include "engine/loaded_libraries.hpp"
 #include "engine/run.hpp"
 #include "record/data_digest.hpp"
 #include "record/digest.hpp"
 #include "tolman/version.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -65,6 +68,42 @@ Json dataList(const CheckedSystem& system) {
   return list;
 }
 
+/// Adds a library that this process has loaded if it may decide the digits of a result: its file,
+/// whose name has the version, without links.
+int addLibrary(dl_phdr_info* library, std::size_t, void* libraries) {
+  const std::filesystem::path file = library->dlpi_name;
+  for (const char* name :
+       {"opencv_core", "ceres", "cholmod", "blas", "lapack", "tbb", "embree3", "jpeg", "avcodec"}) {
+    if (!file.filename().string().starts_with("lib" + std::string(name) + ".so")) continue;
+    std::error_code error;
+    const auto resolved = std::filesystem::canonical(file, error);
+    (*static_cast<std::map<std::string, std::string>*>(libraries))[name] =
+        (error ? file : resolved).string();
+  }
+  return 0;
+}
+
+/// The digests of the files of the plugin with this role, by file.
+std::map<std::string, std::string> filesOf(const Json& run_file, Role role) {
+  std::map<std::string, std::string> files;
+  const auto add = [&](const Json& file, const Json& digest) {
+    if (file.is_string() && digest.is_string()) files[file] = digest;
+  };
+  try {
+    for (const Json& plugin : run_file.at("plugins")) {
+      if (plugin.at("role") != enumName(role)) continue;
+      add(plugin.at("file"), plugin.at("sha256"));
+      add(plugin.value("program", Json()), plugin.value("program_sha256", Json()));
+      const Json brought = plugin.value("program_files", Json::object());
+      for (const auto& [file, digest] : brought.items()) {
+        add(file, digest);
+      }
+    }
+  } catch (const Json::exception&) {  // a foreign file
+  }
+  return files;
+}
+
 Json machine() {
   utsname system{};
   ::uname(&system);
@@ -102,39 +141,14 @@ Json pluginList(const CheckedSystem& system) {
   return list;
 }
 
-/// A field of a raw camera; matrices row by row.
-template <class T>
-Json jsonOf(const T& value) {
-  if constexpr (NamedEnum<T>) {
-    return enumName(value);
-  } else if constexpr (std::is_same_v<T, Eigen::Isometry3d>) {
-    return jsonOf(Eigen::Matrix4d(value.matrix()));
-  } else if constexpr (std::is_arithmetic_v<T>) {
-    return value;
-  } else {
-    Json list = Json::array();
-    for (Eigen::Index r = 0; r < value.rows(); ++r) {
-      for (Eigen::Index c = 0; c < value.cols(); ++c) list.push_back(value(r, c));
-    }
-    return list;
-  }
-}
-
 Json sourceJson(const Assembly& assembly) {
   const SourceInfo& source = assembly.sourceInfo();
   Json json = {{"description", source.description}, {"frames", source.frames},
                {"has_truth", source.has_truth},     {"width", source.rig.width},
                {"height", source.rig.height},       {"baseline_m", source.rig.baseline}};
-  const pipeline::RectifiedSource& rectified = assembly.source();
+  const RectifiedSource& rectified = assembly.source();
   if (!rectified.cutText().empty()) json["part_of_images"] = rectified.cutText();
-  if (rectified.text().empty()) return json;
-  json["rectification"] = rectified.text();
-  for (const RawCamera& camera : rectified.rawRig().cameras) {
-    Json& raw = json["raw_cameras"].emplace_back();
-    visitFields(camera, [&](const Field& field, const auto& value) {
-      raw[std::string(field.name)] = jsonOf(value);
-    });
-  }
+  if (!rectified.text().empty()) json["rectification"] = rectified.text();
   return json;
 }
 
@@ -169,12 +183,39 @@ Json provenance(const Assembly& assembly, const std::vector<std::string>& comman
                                              EIGEN_MINOR_VERSION)},
                        {"sqlite", ::sqlite3_libversion()},
                        {"fmt", FMT_VERSION}};
-  for (const auto& [name, file] : loadedLibraries()) json["libraries"][name] = file;
+  std::map<std::string, std::string> libraries;
+  ::dl_iterate_phdr(addLibrary, &libraries);
+  for (const auto& [name, file] : libraries) json["libraries"][name] = file;
   json["machine"] = machine();
   json["source"] = sourceJson(assembly);
   json["plugins"] = pluginList(system);
   json["data"] = dataList(system);
   return json;
+}
+
+std::vector<std::string> changedProgramFiles(const Json& before, const Json& now,
+                                             std::initializer_list<Role> roles) {
+  std::vector<std::string> changed;
+  const auto addOthers = [&](const auto& files, const auto& others) {
+    for (const auto& entry : files) {  // a lambda of clang 14 cannot capture parts of it
+      const auto known = others.find(entry.first);
+      const bool is_same = known != others.end()
+                               ? known->second == entry.second
+                               : std::ranges::any_of(others, [&](const auto& other) {
+                                   return other.second == entry.second;
+                                 });
+      const bool is_listed = std::ranges::find(changed, entry.first) != changed.end();
+      if (!is_same && !is_listed) changed.push_back(entry.first);
+    }
+  };
+  for (const Role role : roles) {
+    const auto then = filesOf(before, role);
+    const auto files = filesOf(now, role);
+    if (then.empty()) continue;
+    addOthers(files, then);
+    addOthers(then, files);
+  }
+  return changed;
 }
 
 std::string newRunId(Json run_file, bool is_realtime) {
@@ -188,15 +229,14 @@ std::string newRunId(Json run_file, bool is_realtime) {
   return record::textDigest(text).substr(0, kDigits);
 }
 
-Json countersJson(const pipeline::RunCounters& counters) {
+Json countersJson(const RunCounters& counters) {
   Json json = Json::object();
-  pipeline::RunCounters::visit(counters,
-                               [&](const char* name, const auto& value) { json[name] = value; });
+  RunCounters::visit(counters, [&](const char* name, const auto& value) { json[name] = value; });
   return json;
 }
 
 void addOutcome(Json& json, const Outcome& outcome) {
-  const pipeline::RunCounters& n = outcome.counters;
+  const RunCounters& n = outcome.counters;
   json["ended"] = utcText(utcSeconds());
   json["message"] = outcome.failure ? outcome.failure->message : std::string(n.endText());
   if (outcome.failure) {
@@ -210,7 +250,7 @@ void addOutcome(Json& json, const Outcome& outcome) {
     if (ns > 0) finish[std::string(kRoleNames[role])] = 1e-9 * static_cast<double>(ns);
   }
   json["finish_s"] = finish;
-  const pipeline::Latency& latency = outcome.latency;
+  const Latency& latency = outcome.latency;
   if (latency.frames == 0) return;
   json["latency"] = {{"frames", latency.frames},
                      {"median_ms", latency.median_ms},
@@ -218,4 +258,4 @@ void addOutcome(Json& json, const Outcome& outcome) {
                      {"exposure", enumName(latency.clock)}};
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <thread>
 
-#include "engine/bounded_queue.hpp"
 #include "engine/drive.hpp"
 #include "engine/flow.hpp"
-#include "engine/input_end.hpp"
 
-namespace tolman::pipeline {
+namespace tolman::engine {
 namespace {
 
 using Steady = std::chrono::steady_clock;
@@ -25,26 +25,14 @@ class PacedFeed {
       : chain_(chain),
         options_(options),
         cancellation_(cancellation),
-        queue_(static_cast<std::size_t>(options.queue), options.input_policy),
         flow_(graph_, chain, [this](const FrameRecords& records) { done(records); }) {}
 
-  /// Latency of the run; call it after run().
-  Latency latency() { return latencies_.result(clock_); }
-
-  /// Returns how many frames were dropped.
-  std::int64_t run() {
-    const WaitForGraph at_end(graph_);
-    std::thread feeder = startFeeder();
-    chain_.guarded(Role::Source, [this] { graph_.wait_for_all(); });
-    feeder.join();
-    return dropped_;
-  }
-
- private:
-  std::thread startFeeder() {
+  /// Returns the latency of the run.
+  Latency run() {
     graph_.reserve_wait();
+    std::thread feeder;
     try {
-      return std::thread([this] {
+      feeder = std::thread([this] {
         chain_.guarded(Role::Source, [this] { feed(); });
         graph_.release_wait();
       });
@@ -52,13 +40,19 @@ class PacedFeed {
       graph_.release_wait();
       throw;
     }
+    graph_.wait_for_all();
+    feeder.join();
+    chain_.counters().dropped = dropped_;
+    return latency();
   }
+
+ private:
   void feed() {
     const auto start = Steady::now();
     std::optional<std::int64_t> first_ns;
     while (!chain_.failed() && !cancellation_.requested()) {
       auto records = std::make_shared<FrameRecords>();
-      const Status status = next(records->frame);
+      const Status status = chain_.readFrame(*records);
       if (!status.isOk()) {
         if (!isEndOfInput(status, cancellation_)) chain_.failInput(status);
         break;
@@ -75,7 +69,7 @@ class PacedFeed {
       records->exposed = clock_ == ExposureClock::Pace
                              ? std::chrono::nanoseconds(due.time_since_epoch())
                              : std::chrono::nanoseconds(stamp_ns) - ahead_of_steady_;
-      if (const auto dropped = queue_.push(records)) reportDrop((*dropped)->frame.frame);
+      enqueue(records);
       pump();
     }
     drain();
@@ -89,11 +83,6 @@ class PacedFeed {
     if (clock_ == ExposureClock::System) ahead_of_steady_ = system - steady;
   }
 
-  Status next(Frame& frame) {
-    const StageActivity::Mark mark(chain_.stageActivity(), Role::Source);
-    return chain_.stages().source.next(frame);
-  }
-
   /// Sleeps in short pieces, so that a cancellation takes effect within 50 ms.
   void waitUntil(Steady::time_point when) const {
     while (!cancellation_.requested() && Steady::now() < when) {
@@ -101,25 +90,44 @@ class PacedFeed {
     }
   }
 
+  /// A full queue drops its oldest frame or the new one, or makes the source wait.
+  void enqueue(const FrameRecordsPtr& records) {
+    const auto capacity = static_cast<std::size_t>(options_.queue);
+    std::unique_lock lock(pump_mutex_);
+    if (options_.input_policy == config::QueuePolicy::Block) {
+      room_.wait(lock, [&] { return queue_.size() < capacity; });
+    }
+    FrameRecordsPtr dropped;
+    if (queue_.size() < capacity || options_.input_policy == config::QueuePolicy::DropOldest) {
+      queue_.push_back(records);
+    } else {
+      dropped = records;
+    }
+    if (queue_.size() > capacity) {
+      dropped = queue_.front();
+      queue_.pop_front();
+    }
+    lock.unlock();
+    if (dropped) reportDrop(dropped->frame.frame);
+  }
+
   /// Returns when all queued frames have entered the graph.
   void drain() {
-    while (!queue_.empty()) {
-      pump();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    std::unique_lock lock(pump_mutex_);
+    room_.wait(lock, [&] { return queue_.empty(); });
   }
 
   void pump() {
     const std::lock_guard lock(pump_mutex_);
-    while (in_flight_ < options_.queue) {
-      auto records = queue_.pop();
-      if (!records) return;
+    while (in_flight_ < options_.queue && !queue_.empty()) {
+      const FrameRecordsPtr records = queue_.front();
+      queue_.pop_front();
+      room_.notify_all();
       ++in_flight_;
       const bool late = 2 * chain_.placeBacklog() >= options_.queue;  // at least half of it waits
-      chain_.admit(**records);
-      (*records)->leave_out_place =
-          late && options_.place_policy == config::PlacePolicy::DropNewest;
-      flow_.entry().try_put(*records);
+      chain_.admit(*records);
+      records->leave_out_place = late && options_.place_policy == config::PlacePolicy::DropNewest;
+      flow_.entry().try_put(records);
     }
   }
 
@@ -127,9 +135,25 @@ class PacedFeed {
     {
       const std::lock_guard lock(pump_mutex_);
       --in_flight_;
-      if (records.answered) latencies_.add(records.posed.time_since_epoch() - records.exposed);
+      if (records.answered) {
+        const std::chrono::duration<float, std::milli> took =
+            records.posed.time_since_epoch() - records.exposed;
+        latencies_ms_.push_back(took.count());
+      }
     }
     pump();
+  }
+
+  Latency latency() {
+    if (latencies_ms_.empty()) return {};
+    const auto percentile = [&](std::size_t percent) {
+      const std::size_t rank = (latencies_ms_.size() * percent + 99) / 100;
+      const auto at = latencies_ms_.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
+      std::nth_element(latencies_ms_.begin(), at, latencies_ms_.end());
+      return static_cast<double>(*at);
+    };
+    const auto frames = static_cast<std::int64_t>(latencies_ms_.size());
+    return {frames, percentile(50), percentile(99), clock_};
   }
 
   void reportDrop(std::int64_t frame) {
@@ -141,12 +165,13 @@ class PacedFeed {
   Chain& chain_;
   const config::PipelineSettings& options_;
   const Cancellation& cancellation_;
-  BoundedQueue<FrameRecordsPtr> queue_;
   tbb::flow::graph graph_;
   Flow flow_;
-  std::mutex pump_mutex_;
+  std::mutex pump_mutex_;  // guards the next four
+  std::condition_variable room_;
+  std::deque<FrameRecordsPtr> queue_;
   int in_flight_ = 0;
-  LatencyMeter latencies_;
+  std::vector<float> latencies_ms_;
   ExposureClock clock_ = ExposureClock::Pace;   // used by the feeder thread; likewise the next
   std::chrono::nanoseconds ahead_of_steady_{};  // stamps minus steady clock
   std::int64_t dropped_ = 0;                    // used by the feeder thread until run() ends
@@ -154,11 +179,17 @@ class PacedFeed {
 
 }  // namespace
 
-Latency runRealtime(Chain& chain, const config::PipelineSettings& options,
-                    const Cancellation& cancellation) {
-  PacedFeed feed(chain, options, cancellation);
-  chain.counters().dropped = feed.run();
-  return feed.latency();
+ExposureClock exposureClock(bool is_endless, std::int64_t stamp_ns, std::int64_t monotonic_ns,
+                            std::int64_t system_ns) {
+  constexpr std::int64_t kRecent = 5'000'000'000;  // ns
+  const auto recent = [&](std::int64_t now) { return stamp_ns <= now && now - stamp_ns < kRecent; };
+  if (is_endless && recent(monotonic_ns)) return ExposureClock::Monotonic;
+  return is_endless && recent(system_ns) ? ExposureClock::System : ExposureClock::Pace;
 }
 
-}  // namespace tolman::pipeline
+Latency runRealtime(Chain& chain, const config::PipelineSettings& options,
+                    const Cancellation& cancellation) {
+  return PacedFeed(chain, options, cancellation).run();
+}
+
+}  // namespace tolman::engine

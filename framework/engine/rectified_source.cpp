@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/rectified_source.hpp"
 
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 
-#include "engine/baseline_check.hpp"
 #include "engine/camera_check.hpp"
-#include "engine/pixel_check.hpp"
 #include "engine/rectified_view.hpp"
-#include "engine/task_isolation.hpp"
 #include "host/frame_images.hpp"
 
-namespace tolman::pipeline {
+namespace tolman::engine {
 
 Status RectifiedSource::info(SourceInfo& info) {
   Status status = SourceStage::info(info);
@@ -28,16 +26,11 @@ Status RectifiedSource::info(SourceInfo& info) {
 }
 
 std::vector<std::string> RectifiedSource::doubts() const {
-  std::vector<std::string> doubts = {imaging::baselineDoubt(rig_), imaging::pixelDoubt(rig_)};
-  std::erase(doubts, "");
-  std::ranges::copy(
-      raw_.cameras.empty() ? imaging::cameraDoubts(given_) : imaging::cameraDoubts(raw_),
-      std::back_inserter(doubts));
-  return doubts;
+  return cameraDoubts(raw_, raw_.cameras.empty() ? given_ : rig_);
 }
 
 Status RectifiedSource::prepareCut(CameraRig& rig) {
-  Result<imaging::ImageCut> cut = imaging::ImageCut::create(rig, images_.crop, images_.scale);
+  Result<ImageCut> cut = ImageCut::create(rig, images_.crop, images_.scale);
   if (!cut.isOk()) return cut.status();
   cut_ = std::move(cut).value();
   rig = rig_ = cut_.rig();
@@ -59,7 +52,7 @@ Status RectifiedSource::prepare(CameraRig& rig) {
     text_ = "raw images, not rectified, of the left camera alone";
     return Status::ok();
   }
-  const auto view = imaging::chooseView(raw_, {settings_.scale, settings_.field_of_view});
+  const auto view = chooseView(raw_, {settings_.scale, settings_.field_of_view});
   if (!view.isOk()) {
     return Status::invalidInput("the images cannot be rectified: " + view.status().message() +
                                 " (`rectification.mode: off` gives the left images as they are)");
@@ -71,9 +64,9 @@ Status RectifiedSource::prepare(CameraRig& rig) {
                                 std::to_string(rig.width) + "x" + std::to_string(rig.height) +
                                 "; give the calibration of these images");
   }
-  const imaging::RectifiedView& chosen = view.value();
+  const RectifiedView& chosen = view.value();
   rig = chosen.rig;
-  text_ = imaging::viewText(raw_, chosen);
+  text_ = viewText(raw_, chosen);
   if (chosen.is_identity) return Status::ok();
   for (std::size_t i = 0; i < raw_.cameras.size(); ++i) {
     maps_.emplace_back(raw_.cameras[i], chosen.R_rectified_raw[i], chosen.rig);
@@ -88,7 +81,7 @@ Status RectifiedSource::next(Frame& frame) {
   if (left_only_) frame.right = {};
   if (maps_.empty() && cut_.isWhole()) return status;
   const auto begin = std::chrono::steady_clock::now();
-  withoutOtherTasks([&] { change(frame); });
+  tbb::this_task_arena::isolate([&] { change(frame); });  // as withoutOtherTasks()
   const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - begin;
   rectifying_ns_ = took.count();
   return host::checkImages(frame, rig_);
@@ -106,4 +99,4 @@ void RectifiedSource::change(Frame& frame) const {
   }
 }
 
-}  // namespace tolman::pipeline
+}  // namespace tolman::engine

@@ -13,7 +13,7 @@
 #include "engine/pixel_map.hpp"
 #include "host/stages.hpp"
 
-namespace tolman::pipeline {
+namespace tolman::engine {
 
 class RectifiedSource : private host::SourceStage {
  public:
@@ -31,7 +31,7 @@ class RectifiedSource : private host::SourceStage {
   Status info(SourceInfo& info);
   Status next(Frame& frame);
   /// From now on next() fails after an error among these findings, unless `on_findings: continue`.
-  void judgeBy(run::Findings& findings) { findings_ = &findings; }
+  void judgeBy(Findings& findings) { findings_ = &findings; }
   /// The raw cameras, after info(); none where the source gives rectified images.
   const RawRig& rawRig() const { return raw_; }
   /// Whether the source does not know its number of frames (a live source); after info().
@@ -40,8 +40,7 @@ class RectifiedSource : private host::SourceStage {
   const std::string& text() const { return text_; }
   /// How the images are cropped and scaled, likewise; empty for whole images. After info().
   std::string cutText() const { return cut_.text(); }
-  /// Why baseline, pixels, principal point and focal length are doubtful, likewise; none if they
-  /// are not. After info().
+  /// What to look at in the calibration (camera_check.hpp). After info().
   std::vector<std::string> doubts() const;
   /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
   std::int64_t rectifyingNs() const { return rectifying_ns_; }
@@ -54,16 +53,16 @@ class RectifiedSource : private host::SourceStage {
   config::RectificationSettings settings_;
   config::ImageSettings images_;
   RawRig raw_;
-  CameraRig given_;  ///< the rig that the source told
+  CameraRig given_;  ///< the rig of the source
   CameraRig rig_;    ///< the rig that the stages get
   std::string text_;
-  std::vector<imaging::PixelMap> maps_;  ///< one per camera; none: images are not rectified
-  imaging::ImageCut cut_;
+  std::vector<PixelMap> maps_;  ///< one per camera; none: images are not rectified
+  ImageCut cut_;
   std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
-  run::Findings* findings_ = nullptr;
+  Findings* findings_ = nullptr;
   std::int64_t rectifying_ns_ = 0;
   bool is_endless_ = false;
   bool left_only_ = false;  ///< the stages get only the left image of a raw pair
 };
 
-}  // namespace tolman::pipeline
+}  // namespace tolman::engine

@@ -10,7 +10,7 @@
 
 #include "engine/lens.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
 constexpr int kMinSide = 32;  // px of a rectified image
@@ -261,4 +261,4 @@ std::string viewText(const RawRig& raw, const RectifiedView& view) {
       raw.has_rectified ? " as prescribed by the calibration" : "");
 }
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

@@ -9,7 +9,7 @@
 #include "tolman/camera.hpp"
 #include "tolman/status.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
 
 struct ViewOptions {
   double scale = 1;           ///< pixels of the rectified image per raw pixel, at the centre
@@ -31,4 +31,4 @@ Result<RectifiedView> chooseView(const RawRig& raw, const ViewOptions& options);
 /// "2 radial_tangential cameras of 752x480 px, rectified to 703x431 px, 73 x 50 deg"
 std::string viewText(const RawRig& raw, const RectifiedView& view);
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

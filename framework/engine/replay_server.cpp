@@ -5,11 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "config/json_text.hpp"
-#include "engine/page_observer.hpp"
 #include "record/run_directory.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 using namespace std::chrono_literals;
@@ -28,17 +26,9 @@ SourceInfo sourceInfo(const record::RunReader& reader, const nlohmann::ordered_j
   SourceInfo info;
   const auto rigs = reader.records<CameraRig>();
   if (rigs.isOk() && !rigs.value().empty()) info.rig = rigs.value().front();
-  const auto source = file.find("source");
-  if (source == file.end() || !source->is_object()) return info;
   const auto take = [&](const char* key, auto& value) {
-    const auto found = source->find(key);
-    if (found == source->end()) return;
     try {
-      if constexpr (std::is_same_v<decltype(value), std::int64_t&>) {
-        value = config::integerFrom<std::int64_t>(*found);
-      } else {
-        found->get_to(value);
-      }
+      file.at("source").at(key).get_to(value);
     } catch (const nlohmann::json::exception&) {  // a foreign file
     }
   };
@@ -49,6 +39,38 @@ SourceInfo sourceInfo(const record::RunReader& reader, const nlohmann::ordered_j
 }
 
 }  // namespace
+
+RecordedImages::RecordedImages(const std::filesystem::path& directory,
+                               std::vector<std::string> plugin_paths, const Clock& clock,
+                               const Cancellation& cancellation) {
+  const std::filesystem::path config = directory / "config.resolved.yaml";
+  try {
+    auto checked = checkSystem({config.string(), {}, std::move(plugin_paths)}, Scope::Source);
+    assembly_ = std::make_unique<Assembly>(require(std::move(checked)), log_, clock, cancellation);
+  } catch (const Failed& failed) {
+    end(failed.what());
+  }
+}
+
+void RecordedImages::restore(Frame& recorded) {
+  while (assembly_ && next_.frame < recorded.frame) {
+    const Status status = assembly_->source().next(next_);
+    if (status.code() == StatusCode::EndOfStream) return end("the source has fewer frames now");
+    if (!status.isOk()) return end(status.message());
+  }
+  if (!assembly_) return;
+  if (next_.frame != recorded.frame || next_.stamp_ns != recorded.stamp_ns) {
+    return end("the data are not those of the run: frame " + std::to_string(recorded.frame) +
+               " has another time");
+  }
+  recorded.left = next_.left;
+  recorded.right = next_.right;
+}
+
+void RecordedImages::end(const std::string& problem) {
+  problem_ = problem.substr(0, problem.find('\n'));
+  assembly_.reset();
+}
 
 /// Defaults of the plugin, with every frame kept and serving until cancelled. Parameters that the
 /// plugin does not declare are left out.
@@ -84,8 +106,6 @@ void ReplayServer::beginRun(const record::RunReader& reader, bool running) {
   const record::RunTotals totals = readable(reader.totals());
   const auto meta = readable(reader.meta());
   const auto name = meta.find("name");
-  const Status run_file = record::RunDirectory::checkRunFile(options_.run);
-  if (!run_file.isOk()) listener_.note(run_file.message());
   RunInfo info;
   info.name = name == meta.end() ? "run" : name->second;
   if (record::RunDirectory::wasKilled(options_.run)) {
@@ -150,4 +170,4 @@ void ReplayServer::serve() {
   requireObserved(observer_->finish(graph_));  // serves until cancelled
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

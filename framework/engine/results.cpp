@@ -1,24 +1,142 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/results.hpp"
 
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "config/json_text.hpp"
+#include "config/loader.hpp"
+#include "config/system_config.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/export.hpp"
+#include "record/output_places.hpp"
 #include "report/map_picture.hpp"
+#include "report/page.hpp"
+#include "report/raster.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The parsed configuration; the defaults if it has problems.
+config::SystemConfig systemOf(const config::Loaded& loaded) {
+  config::Problems problems = loaded.problems;
+  config::SystemConfig system = config::parse(loaded, problems);
+  return problems.empty() ? system : config::SystemConfig{};
+}
+
+/// The page of a run, evaluated by the settings of its configuration, or by the defaults if it
+/// cannot be read.
+Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitChoice& units) {
+  const config::Loaded loaded = config::load(run.directory() / "config.resolved.yaml", {},
+                                             [](const std::string&) { return std::nullopt; });
+  const config::SystemConfig system = systemOf(loaded);
+  auto data =
+      report::readRun(run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
+  if (!data.isOk()) return data.status();
+  auto page = report::makePage(run, std::move(data).value(), units);
+  if (page.isOk()) page.value().settings = loaded.tree;
+  return page;
+}
+
+/// The files of a report. They are written together, when all are made.
+class ReportFiles {
+ public:
+  explicit ReportFiles(fs::path folder) : folder_(std::move(folder)) {}
+
+  /// Adds a figure to `figures/sub`; with `pixels` as PNG, too.
+  Status addFigure(const std::string& sub, const std::string& name, const std::string& svg,
+                   bool pixels) {
+    add(sub, name + ".svg", svg);
+    if (!pixels) return Status::ok();
+    auto png = report::pngOf(svg);
+    if (!png.isOk()) return png.status();
+    add(sub, name + ".png", std::move(png).value());
+    return Status::ok();
+  }
+  Status addFigures(const std::string& sub, const report::RunPage& page, bool pixels) {
+    Status status;
+    for (const report::PageFigure& figure : page.figures) {
+      if (status.isOk()) status = addFigure(sub, figure.file, figure.svg, pixels);
+    }
+    if (status.isOk() && !page.neurons.is_null()) {
+      add(sub, "neurons.json", page.neurons.dump() + "\n");
+    }
+    return status;
+  }
+
+  /// Writes all files, the page last; nothing through links into other folders.
+  Result<std::vector<fs::path>> write(std::string page) {
+    constexpr std::array<std::string_view, 1> kFigures = {"figures"};
+    const std::vector<std::string_view> subs(subs_.begin(), subs_.end());
+    Status status = record::refuseLinks(folder_, kFigures);
+    if (status.isOk()) status = record::refuseLinks(folder_ / "figures", subs);
+    if (!status.isOk()) return status;
+    std::error_code ignored;  // writing fails with a better message
+    for (const std::string& sub : subs_) fs::create_directories(folder_ / "figures" / sub, ignored);
+    fs::create_directories(folder_, ignored);
+    files_.push_back({folder_ / "report.html", std::move(page)});
+    status = record::writeTogether(files_, "--out");
+    if (!status.isOk()) return status;
+    std::vector<fs::path> written{files_.back().path};
+    for (const record::OutputFile& file : files_) {
+      if (file.path != written.front()) written.push_back(file.path);
+    }
+    return written;
+  }
+
+ private:
+  void add(const std::string& sub, const std::string& name, std::string bytes) {
+    subs_.insert(sub);
+    files_.push_back({folder_ / "figures" / sub / name, std::move(bytes)});
+  }
+  fs::path folder_;
+  std::set<std::string> subs_;
+  std::vector<record::OutputFile> files_;
+};
+
+using Parts = std::vector<std::string>;
+
+/// The parts of the absolute path, without an empty last part as of "runs/demo/"; none for "".
+Parts partsOf(const fs::path& run) {
+  Parts parts;
+  std::error_code error;
+  const fs::path whole = fs::absolute(run, error);
+  if (error) return parts;
+  for (const fs::path& part : whole.lexically_normal().relative_path()) {
+    if (!part.empty()) parts.push_back(part.string());
+  }
+  return parts;
+}
+
+bool haveSameEnd(const std::vector<Parts>& paths) {
+  return std::ranges::all_of(paths, [&](const Parts& parts) {
+    return parts.size() > 1 && parts.back() == paths.front().back();
+  });
+}
+
+std::string lastParts(const Parts& parts, std::size_t count) {
+  std::string name;
+  for (std::size_t i = parts.size() - std::min(count, parts.size()); i < parts.size(); ++i) {
+    name += (name.empty() ? "" : "-") + parts[i];
+  }
+  return name;
+}
+
+}  // namespace
 
 Result<Results> writeResults(const std::filesystem::path& directory,
                              const config::EvaluationSettings& settings, std::uint64_t seed) {
   auto opened = record::RunReader::open(directory);
   if (!opened.isOk()) return opened.status();
   const record::RunReader& reader = *opened.value();
-  // Another program, or a disk, may have changed rows while the run went on.
-  Status status = record::checkRows(reader, {});
-  if (status.isOk()) status = record::exportRun(reader, directory).status();
+  Status status = record::exportRun(reader, directory).status();
   if (!status.isOk()) return status;
   auto run = report::readRun(reader, settings, seed);
   if (!run.isOk()) return run.status();
@@ -34,4 +152,67 @@ Result<Results> writeResults(const std::filesystem::path& directory,
   return Results{std::move(opened).value(), std::move(run).value()};
 }
 
-}  // namespace tolman::run
+std::vector<std::string> distinctNames(const std::vector<fs::path>& runs) {
+  std::vector<Parts> paths;
+  std::size_t longest = 0;
+  for (const fs::path& run : runs) {
+    paths.push_back(partsOf(run));
+    longest = std::max(longest, paths.back().size());
+  }
+  const std::size_t different = std::set<Parts>(paths.begin(), paths.end()).size();
+  while (different > 1 && haveSameEnd(paths)) {
+    for (Parts& parts : paths) parts.pop_back();
+  }
+  std::vector<std::string> names(runs.size());
+  for (std::size_t count = 1; count <= std::max<std::size_t>(longest, 1); ++count) {
+    std::ranges::transform(paths, names.begin(),
+                           [&](const Parts& parts) { return lastParts(parts, count); });
+    if (std::set<std::string>(names.begin(), names.end()).size() == different) break;
+  }
+  std::set<std::string> taken;
+  for (std::string& name : names) {
+    const std::string first = name;
+    for (int i = 2; !taken.insert(name).second; ++i) name = first + "-" + std::to_string(i);
+  }
+  return names;
+}
+
+Result<std::vector<fs::path>> writeReport(
+    const std::vector<std::unique_ptr<record::RunReader>>& runs, const fs::path& folder,
+    const report::UnitChoice& units) {
+  std::vector<report::RunPage> pages;
+  std::vector<fs::path> directories;
+  directories.reserve(runs.size());
+  for (const auto& run : runs) directories.push_back(run->directory());
+  const std::vector<std::string> names = distinctNames(directories);
+  for (std::size_t i = 0; i < runs.size(); ++i) {  // reads all runs before it writes a file
+    auto page = pageOf(*runs[i], units);
+    if (!page.isOk()) return page.status();
+    page.value().directory = names[i];
+    pages.push_back(std::move(page).value());
+  }
+  ReportFiles files(folder);
+  for (const report::RunPage& page : pages) {
+    const Status status = files.addFigures(runs.size() == 1 ? "" : page.directory, page, true);
+    if (!status.isOk()) return status;
+  }
+  const std::string comparison = report::comparisonFigure(pages);
+  if (!comparison.empty()) {
+    const Status status = files.addFigure("", "comparison", comparison, true);
+    if (!status.isOk()) return status;
+  }
+  return files.write(report::html(pages));
+}
+
+Status writeReport(const record::RunReader& reader, report::RunData data,
+                   const std::string& run_file) {
+  auto page = report::makePage(reader, std::move(data));
+  if (!page.isOk()) return page.status();
+  page.value().provenance = nlohmann::ordered_json::parse(run_file);
+  page.value().killed = false;
+  ReportFiles files(reader.directory());
+  const Status status = files.addFigures("", page.value(), false);
+  return status.isOk() ? files.write(report::html({page.value()})).status() : status;
+}
+
+}  // namespace tolman::engine

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a recorded run to its result files: trajectories, map, metrics, digests.
+// From recorded runs to their result files, figures and pages.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "config/settings.hpp"
+#include "engine/old_names.hpp"
 #include "record/run_reader.hpp"
 #include "report/run_data.hpp"
+#include "report/units.hpp"
 #include "tolman/status.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 /// The data of the result files, for the report.
 struct Results {
@@ -24,4 +28,23 @@ struct Results {
 Result<Results> writeResults(const std::filesystem::path& directory,
                              const config::EvaluationSettings& settings, std::uint64_t seed);
 
-}  // namespace tolman::run
+/// Writes report.html, figures/*.svg and *.png, and figures/neurons.json into `folder`, each
+/// atomically; with several runs the figures go to figures/RUN. Each run is evaluated by the
+/// settings in its own resolved configuration. Returns the files, the page first. InvalidParameter
+/// if a run does not have the chosen units.
+Result<std::vector<std::filesystem::path>> writeReport(
+    const std::vector<std::unique_ptr<record::RunReader>>& runs,
+    const std::filesystem::path& folder, const report::UnitChoice& units = {});
+
+/// The same for one run whose record has been read already: writes into the directory of the run,
+/// and no PNG files. `run_file`: text of the run.json that will be written after the report.
+Status writeReport(const record::RunReader& reader, report::RunData data,
+                   const std::string& run_file);
+
+/// Short, distinct names of run directories: the last part of each path, after removing last parts
+/// that all paths have in common: "a" and "b" for sweeps/a/run and sweeps/b/run. If two names are
+/// equal, earlier parts are added, joined by '-', until all differ; a directory that is given twice
+/// gets a number.
+std::vector<std::string> distinctNames(const std::vector<std::filesystem::path>& runs);
+
+}  // namespace tolman::engine

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "engine/saved_state.hpp"
-#include "record/recorder.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,7 +95,7 @@ class RepeatedOdometry {
 
   void track(const Frame& frame, const Motion& before) {
     Motion motion;
-    pipeline::Impossible impossible;
+    Impossible impossible;
     const bool failed = !assembly_.checkedOdometry().track(frame, motion, impossible).isOk();
     last_ = failed ? before : motion;  // after a failure the record has the predicted motion
     if (isSameMotion(last_, before)) return;
@@ -115,11 +114,10 @@ class RepeatedOdometry {
 
 }  // namespace
 
-pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
-                               const Cancellation& cancellation) {
+ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
+                     const Cancellation& cancellation) {
   constexpr FailureKind kKind = FailureKind::Continuation;
   const auto reader = require(record::RunReader::open(directory), kKind);
-  require(record::Recorder::inheritable(*reader), kKind);
   const auto sessions = require(reader->sessions(), kKind);
   if (sessions.empty())
     refuseToContinue(directory.string() + ": was ended before its first frame; run it again");
@@ -127,7 +125,7 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   assembly.source().startAt(first_frame);
   assembly.odometry().startAt(first_frame);
 
-  pipeline::ResumePoint point;
+  ResumePoint point;
   point.checkpoint = loadCheckpoint(assembly, directory);
   const std::int64_t last = point.checkpoint.frame;
   const auto motions = require(reader->records<Motion>(), kKind);
@@ -150,4 +148,4 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   return point;
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

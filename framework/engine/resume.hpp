@@ -7,15 +7,14 @@
 #include <filesystem>
 
 #include "engine/assembly.hpp"
-#include "engine/checkpoint.hpp"
 #include "record/run_reader.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 /// Brings a new assembly to the state of the last checkpoint of the run in `directory`, which is
 /// only read. Throws Failed (Continuation) for no checkpoint, a damaged one, other plugins or other
 /// data. After a cancellation it returns early, and the assembly must not be used.
-pipeline::ResumePoint resumeAt(Assembly& assembly, const std::filesystem::path& directory,
-                               const Cancellation& cancellation);
+ResumePoint resumeAt(Assembly& assembly, const std::filesystem::path& directory,
+                     const Cancellation& cancellation);
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "engine/provenance.hpp"
-#include "engine/report_files.hpp"
 #include "engine/results.hpp"
 #include "engine/saved_state.hpp"
 #include "host/guard.hpp"
-#include "record/run_check.hpp"
+#include "record/digest.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 record::RunState stateOf(const Outcome& outcome) {
@@ -31,42 +30,22 @@ Outcome Run::execute(CheckedSystem system) {
   Outcome outcome;
   try {
     prepare(std::move(system));
+    drive(outcome);
   } catch (const Failed& failed) {
-    outcome.failure = failed.failure;
-  }
-  if (outcome.failure && outcome.failure->kind == FailureKind::Interrupted) {
-    log_.write(LogLevel::Warning, outcome.failure->stage, outcome.failure->message);
-    outcome.failure.reset();
-    outcome.interrupted = true;
-    return outcome;
-  }
-  if (directory_) outcome.directory = directory_->path();
-  if (resume_ && !directory_) {  // resuming failed or was cancelled: nothing was changed
-    outcome.interrupted = !outcome.failure;
-    return outcome;
-  }
-  if (outcome.failure) {
-    if (!run_file_.is_null()) writeRunFile(outcome);  // it may still have the status "running"
-    return outcome;
-  }
-  drive(outcome);
-  failIfInputsChanged(outcome);
-  failIfNothingCame(outcome);
-  if (const Status moved = directory_->stillInPlace(); !moved.isOk()) {
-    outcome.failure = recordFailure(moved);
-    writeRunFile(outcome);
-    return outcome;
+    outcome.interrupted = failed.failure.kind == FailureKind::Interrupted;
+    if (!outcome.interrupted) outcome.failure = failed.failure;
+    if (outcome.interrupted) {
+      log_.write(LogLevel::Warning, failed.failure.stage, failed.failure.message);
+    }
   }
   conclude(outcome);
-  if (stateOf(outcome) == record::RunState::Finished) removeCheckpoint(directory_->path());
   return outcome;
 }
 
 void Run::drive(Outcome& outcome) {
   const std::int64_t begin_ns = clock_.steadyNs();
   RunListener listener(*recorder_, *assembly_, *directory_, log_, clock_);
-  pipeline::Chain chain(assembly_->stages(), assembly_->policies(), listener);
-  if (answers_) listener.recordAnswers(*answers_);
+  Chain chain(assembly_->stages(), assembly_->policies(), listener);
   if (earlier_scale_) chain.continueMap(*earlier_scale_);
   if (resume_) {
     chain.resume(*resume_);
@@ -78,15 +57,15 @@ void Run::drive(Outcome& outcome) {
   if (!begun.isOk()) chain.fail(Role::Observer, begun);
   Watchdog watchdog(chain.stageActivity(), clock_, watchdogSettings(listener));
   watchdog.start();
-  const pipeline::DriveResult result =
-      pipeline::drive(chain, config().pipeline, config().general.threads, stop_);
+  const DriveResult result =
+      engine::drive(chain, config().pipeline, config().general.threads, stop_);
   const std::optional<Failure> unsaved = saveState(result, listener);
   for (const Status& status : assembly_->teardown()) {
     listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
   }
-  listener.takeFindings(true);
   warnOfSource(result, listener);
-  outcome.failure = failureOf(result.failure, listener);
+  listener.reportRepeated();
+  outcome.failure = failureOf(result, listener);
   if (!outcome.failure) outcome.failure = unsaved;
   if (!outcome.failure && result.interrupted) outcome.failure = stop_.reason();
   const Status closed = recorder_->close();
@@ -98,28 +77,29 @@ void Run::drive(Outcome& outcome) {
   outcome.wall_s = 1e-9 * static_cast<double>(clock_.steadyNs() - begin_ns);
 }
 
-/// A source may know beforehand how many frames it has; fewer may mean damaged data, and more that
-/// what it tells of them is wrong. Likewise what SourceNotes has seen.
-void Run::warnOfSource(const pipeline::DriveResult& result, RunListener& listener) {
-  const std::string source = assembly_->stageName(Role::Source);
-  if (!result.failure && !resume_) {  // a resumed run sees only the rest of the frames
-    for (const std::string& note :
-         listener.sourceNotes().atEnd(assembly_->sourceInfo().has_truth)) {
-      listener.onEvent({-1, LogLevel::Warning, source, note});
-    }
+/// Times in another unit give wrong velocities. A source may know beforehand how many frames it
+/// has; fewer may mean damaged data.
+void Run::warnOfSource(const DriveResult& result, RunListener& listener) {
+  constexpr double kImpossible_s = 10;  // no odometry follows such images
+  if (result.failure || result.interrupted) return;
+  const auto warn = [&](const std::string& text) {
+    listener.onEvent({-1, LogLevel::Warning, assembly_->stageName(Role::Source), text});
+  };
+  if (const double step = listener.meanStep(); step > kImpossible_s) {
+    warn(fmt::format(
+        "frames are {:.4g} s apart (mean); stamps are in ns: are they in another unit?", step));
   }
   const std::int64_t known = assembly_->sourceInfo().frames;
   const std::int64_t given = result.counters.frames + result.counters.dropped;
-  if (result.failure || result.interrupted || known < 0 || given == known) return;
-  const std::string text =
-      given < known ? fmt::format("ended after {} of the {} frames that it had told", given, known)
-                    : fmt::format("gave {} frames, and had told {}", given, known);
-  listener.onEvent({-1, LogLevel::Warning, source, text});
+  if (known < 0 || given == known) return;
+  warn(fmt::format("gave {} frames, and had announced {}", given, known));
 }
 
 WatchdogSettings Run::watchdogSettings(RunListener& listener) {
-  WatchdogSettings settings = WatchdogSettings::of(directory_->path());
+  WatchdogSettings settings;
   settings.deadline_s = config().pipeline.stage_deadline;
+  settings.disk_left = [&] { return diskLeft(directory_->path()); };
+  settings.disk_needed = [&] { return diskNeeded(directory_->path()); };
   settings.report = [&](LogLevel level, std::string_view source, const std::string& text) {
     listener.onEvent({-1, level, std::string(source), text});
   };
@@ -129,86 +109,87 @@ WatchdogSettings Run::watchdogSettings(RunListener& listener) {
   return settings;
 }
 
-std::optional<Failure> Run::failureOf(const std::optional<pipeline::StageFailure>& stage,
-                                      const RunListener& listener) const {
+std::optional<Failure> Run::failureOf(const DriveResult& result, const RunListener& listener) {
   if (!listener.recordStatus().isOk()) return recordFailure(listener.recordStatus());
-  if (!stage) return std::nullopt;
-  Failure failure = assembly_->failureOf(*stage);
-  if (stage->role == Role::Observer) failure.stage = listener.failedObserver();
-  return failure;
-}
-
-/// Saves the state for a later run that continues this one. After a failure no state is saved.
-/// Stages without StateKeeper are left out; if another one cannot save its state, the run fails.
-std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunListener& listener) {
-  const pipeline::RunCounters& n = result.counters;
-  if (result.failure || n.frames == 0 || !listener.recordStatus().isOk() ||
-      !directory_->stillInPlace().isOk()) {
-    return std::nullopt;
+  const RunCounters& n = result.counters;
+  if (result.failure) {
+    Failure failure = assembly_->failureOf(*result.failure);
+    if (result.failure->role == Role::Observer) failure.stage = listener.failedObserver();
+    return failure;
   }
-  std::optional<Failure> unsaved =
-      run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
-  // A stage that was left out of the rest of the run (`on_failure: skip`) has no state.
-  if (!unsaved || n.skipped == 0 || unsaved->kind != FailureKind::Stage) return unsaved;
-  listener.onEvent(
-      {-1, LogLevel::Warning, "state", unsaved->message + "; this run cannot be continued"});
-  return std::nullopt;
-}
-
-/// A run whose data changed while it read them has results of two data sets.
-void Run::failIfInputsChanged(Outcome& outcome) {
-  if (outcome.failure || outcome.interrupted) return;
-  const std::filesystem::path changed = record::firstChanged(inputs_);
-  if (changed.empty()) return;
-  outcome.failure = Failure{FailureKind::Dataset,
-                            changed.string() +
-                                ": was changed or removed while the run was going, so the results "
-                                "may be of two data sets; run it again"};
-  log_.write(LogLevel::Error, "source", outcome.failure->message, false);
-}
-
-void Run::failIfNothingCame(Outcome& outcome) {
-  const pipeline::RunCounters& n = outcome.counters;
-  if (outcome.failure || outcome.interrupted || n.frames > 0) return;
-  outcome.failure =
+  if (result.interrupted || n.frames > 0) return std::nullopt;
+  Failure failure =
       n.skipped > 0
           ? Failure{FailureKind::Stage, "every frame was skipped, as a stage failed at each"}
           : Failure{FailureKind::Dataset,
                     "source: gave no frame; look at first, last and step, and at the data"};
-  log_.write(LogLevel::Error, "source", outcome.failure->message, false);
+  log_.write(LogLevel::Error, "source", failure.message, false);
+  return failure;
 }
 
+/// Saves the state for a later run that continues this one. After a failure no state is saved.
+/// Stages without StateKeeper are left out; if another one cannot save its state, the run cannot be
+/// continued: a stage that was left out of its rest (`on_failure: skip`) has no state.
+std::optional<Failure> Run::saveState(const DriveResult& result, RunListener& listener) {
+  const RunCounters& n = result.counters;
+  const bool is_sound = !result.failure && listener.recordStatus().isOk();
+  if (!is_sound || n.frames == 0 || !directory_->stillInPlace().isOk()) return std::nullopt;
+  Status stage_failure;
+  const Status written = engine::saveState(
+      *assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1}, stage_failure);
+  if (!written.isOk()) return recordFailure(written);
+  if (stage_failure.isOk()) return std::nullopt;
+  if (n.skipped == 0) {
+    return Failure{kindOf(stage_failure, FailureKind::Stage), stage_failure.message()};
+  }
+  listener.onEvent(
+      {-1, LogLevel::Warning, "state", stage_failure.message() + "; this run cannot be continued"});
+  return std::nullopt;
+}
+
+/// Writes what the run leaves, also after a failure. run.json is its last file: until it is
+/// written, and whatever ends the process before, it says that the run is running.
 void Run::conclude(Outcome& outcome) {
-  Result<Results> results = Status::failed("no frame was processed");
-  if (outcome.counters.frames > 0) {
-    results = writeResults(directory_->path(), config().evaluation,
-                           static_cast<std::uint64_t>(config().general.seed));
-    failUnlessWritten(outcome, results.status());
+  if (!directory_) return;  // nothing was changed
+  outcome.directory = directory_->path();
+  if (run_file_.is_null()) return;
+  const Status in_place = directory_->stillInPlace();
+  failUnlessWritten(outcome, in_place);
+  if (in_place.isOk() && outcome.counters.frames > 0) writeResultFiles(outcome);
+  completeRunFile(outcome);
+  const Status written = directory_->writeRunFile(run_file_, stateOf(outcome));
+  failUnlessWritten(outcome, written);
+  std::error_code ignored;
+  if (!written.isOk()) {  // the report says how the run ended, and run.json does not
+    std::filesystem::remove(directory_->path() / "report.html", ignored);
   }
-  if (results.isOk()) {  // counts include earlier sessions, as in metrics.json
-    outcome.metrics = results.value().data.metrics;
-    const evaluation::MapCounts& counts = outcome.metrics->counts;
-    outcome.counters.links = counts.links;
-    outcome.counters.loop_links = counts.loop_links;
-    outcome.counters.loop_decisions = counts.loop_decisions;
+  if (stateOf(outcome) == record::RunState::Finished) removeCheckpoint(directory_->path());
+}
+
+void Run::writeResultFiles(Outcome& outcome) {
+  auto results = writeResults(directory_->path(), config().evaluation,
+                              static_cast<std::uint64_t>(config().general.seed));
+  failUnlessWritten(outcome, results.status());
+  const auto digest = record::recordDigest(directory_->path());
+  failUnlessWritten(outcome, digest.status());
+  if (digest.isOk() && !digest.value().empty()) {
+    run_file_[record::kRecordDigest] = digest.value();
   }
-  failUnlessWritten(outcome, record::checkConfig(directory_->path(), run_file_));
   failUnlessWritten(outcome, log_.status());
-  if (!std::filesystem::exists(directory_->path() / "log.txt")) {
-    failUnlessWritten(outcome, Status::failed((directory_->path() / "log.txt").string() +
-                                              ": was removed while the run was going"));
-  }
-  if (results.isOk() && config().record.report) {
-    completeRunFile(outcome);
-    failUnlessWritten(outcome, host::contained([&] {
-                        return writeReport(
-                            *results.value().reader, std::move(results.value().data),
-                            record::RunDirectory::runFileText(run_file_, stateOf(outcome)));
-                      }));
-  }
-  if (writeRunFile(outcome)) return;
-  std::error_code ignored;  // the report tells of an end that run.json does not have
-  std::filesystem::remove(directory_->path() / "report.html", ignored);
+  if (!results.isOk()) return;
+  // Counts include earlier sessions, as in metrics.json.
+  outcome.metrics = results.value().data.metrics;
+  const evaluation::MapCounts& counts = outcome.metrics->counts;
+  outcome.counters.links = counts.links;
+  outcome.counters.loop_links = counts.loop_links;
+  outcome.counters.loop_decisions = counts.loop_decisions;
+  if (!config().record.report) return;
+  completeRunFile(outcome);
+  failUnlessWritten(outcome, host::contained([&] {
+                      return writeReport(
+                          *results.value().reader, std::move(results.value().data),
+                          record::RunDirectory::runFileText(run_file_, stateOf(outcome)));
+                    }));
 }
 
 void Run::completeRunFile(const Outcome& outcome) {
@@ -216,21 +197,12 @@ void Run::completeRunFile(const Outcome& outcome) {
   if (options_.exit_code) run_file_["exit_code"] = options_.exit_code(outcome);
 }
 
-/// The last file of a run: until it is written, and whatever ends the process before, run.json says
-/// that the run is running.
-bool Run::writeRunFile(Outcome& outcome) {
-  completeRunFile(outcome);
-  const Status written = directory_->writeRunFile(run_file_, stateOf(outcome));
-  failUnlessWritten(outcome, written);
-  return written.isOk();
-}
-
-/// Makes the run fail if a result file cannot be written completely. The outcome keeps the first
-/// failure, which the caller shows.
+/// Makes the run fail if a file cannot be written completely. The outcome keeps the first failure,
+/// which the caller shows.
 void Run::failUnlessWritten(Outcome& outcome, const Status& written) {
   if (written.isOk()) return;
   log_.write(LogLevel::Error, "record", written.message(), outcome.failure.has_value());
   if (!outcome.failure) outcome.failure = recordFailure(written);
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

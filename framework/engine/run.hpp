@@ -15,16 +15,13 @@
 #include "engine/assembly.hpp"
 #include "engine/drive.hpp"
 #include "engine/run_listener.hpp"
-#include "engine/stop_request.hpp"
 #include "engine/watchdog.hpp"
 #include "evaluation/metrics.hpp"
-#include "record/answers_file.hpp"
-#include "record/data_files.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 /// How a run ended. A failed or interrupted run also has counters, and figures of the frames that
 /// were recorded. It has a directory unless it failed before the directory was made.
@@ -32,9 +29,9 @@ struct Outcome {
   std::optional<Failure> failure;
   bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
   std::filesystem::path directory;  ///< absolute; empty if the run failed before it was created
-  pipeline::RunCounters counters;   ///< also whether odometry was lost at the end
+  RunCounters counters;             ///< also whether odometry was lost at the end
   StageTimes finish_times_ns{};     ///< time that finish() of each stage took
-  pipeline::Latency latency{};      ///< of a realtime run
+  Latency latency{};                ///< of a realtime run
   std::optional<evaluation::Metrics> metrics;  ///< of the recorded frames, if there are any
   double wall_s = 0;  ///< s, from the start of the observers until run.sqlite is closed
 };
@@ -72,25 +69,21 @@ class Run {
   void resumeRun();
   void reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now);
   void openDirectory();
-  void warnOfKeptFiles() const;
   void openRecord();
   void recordSessions();
-  void warnOfOtherCamera(const std::vector<CameraRig>& before);
-  void warnOfOtherPrograms();
-  void openAnswers();
+  void warnOfOthers(const std::vector<CameraRig>& before);
+  void recordForReplay();
   std::string runId() const;
 
   void drive(Outcome& outcome);
-  void warnOfSource(const pipeline::DriveResult& result, RunListener& listener);
+  void warnOfSource(const DriveResult& result, RunListener& listener);
   WatchdogSettings watchdogSettings(RunListener& listener);
-  std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
-                                   const RunListener& listener) const;
-  std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
-  void failIfInputsChanged(Outcome& outcome);
-  void failIfNothingCame(Outcome& outcome);
+  std::optional<Failure> failureOf(const DriveResult& result, const RunListener& listener);
+  std::optional<Failure> saveState(const DriveResult& result, RunListener& listener);
+
   void conclude(Outcome& outcome);
+  void writeResultFiles(Outcome& outcome);
   void completeRunFile(const Outcome& outcome);
-  bool writeRunFile(Outcome& outcome);
   void failUnlessWritten(Outcome& outcome, const Status& written);
 
   RunLog& log_;
@@ -98,16 +91,15 @@ class Run {
   StopRequest stop_;
   RunOptions options_;
   std::unique_ptr<Assembly> assembly_;
-  std::vector<record::DataFile> inputs_;        ///< data files as they were when the run began
+  std::vector<std::string> inputs_;             ///< paths that the run reads
   std::vector<ArrayInfo> arrays_;               ///< descriptions for observers
   std::unique_ptr<record::RunReader> earlier_;  ///< the run that is continued, until it is copied
   std::int64_t first_frame_ = 0;
-  std::optional<pipeline::MapScale> earlier_scale_;  ///< of the run that is continued
-  std::optional<pipeline::ResumePoint> resume_;
+  std::optional<MapScale> earlier_scale_;  ///< of the run that is continued
+  std::optional<ResumePoint> resume_;
   std::unique_ptr<record::RunDirectory> directory_;
   nlohmann::ordered_json run_file_;  ///< contents of run.json
   std::unique_ptr<record::Recorder> recorder_;
-  std::optional<record::AnswersFile> answers_;  ///< with record.replay
 };
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/run_listener.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "engine/saved_state.hpp"
 #include "record/replay.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 RunListener::RunListener(record::Recorder& recorder, Assembly& assembly,
                          const record::RunDirectory& directory, RunLog& log, const Clock& clock)
@@ -17,7 +19,9 @@ RunListener::RunListener(record::Recorder& recorder, Assembly& assembly,
       log_(log),
       clock_(clock),
       settings_(assembly.system().config.record),
-      last_checkpoint_ns_(clock.steadyNs()) {}
+      last_checkpoint_ns_(clock.steadyNs()) {
+  recorder_.recordArrays(settings_.arrays_every);
+}
 
 template <class Call>
 Status RunListener::callObservers(std::int64_t frame, Call&& call) {
@@ -30,11 +34,7 @@ Status RunListener::callObservers(std::int64_t frame, Call&& call) {
       failed_observer_ = name;
       return status;
     }
-    const auto report = failures_.count(name);
-    if (report == pipeline::FailureTally::Report::No) continue;
-    const char* last =
-        report == pipeline::FailureTally::Report::Last ? "; further ones are not reported" : "";
-    onEvent({frame, LogLevel::Warning, name, status.message() + last});
+    onEvent({frame, LogLevel::Warning, name, status.message()});
   }
   return Status::ok();
 }
@@ -72,23 +72,6 @@ Status RunListener::showRecorded() {
   }
 }
 
-Status RunListener::record(const Snapshot& snapshot) {
-  Snapshot recorded = snapshot;
-  const StageTimes& times = snapshot.stage_times_ns;
-  const std::int64_t frame = snapshot.frame->frame;
-  const int every = settings_.arrays_every;
-  if (every == 0 || frame % every != 0) recorded.cells = nullptr;
-  Status status = recorder_.snapshot(recorded);
-  if (status.isOk()) last_recorded_ = frame;
-  if (status.isOk() && answers_ != nullptr) {
-    status = answers_->add(*snapshot.frame, *snapshot.motion, *snapshot.place);
-  }
-  for (std::size_t role = 0; role < times.size() && status.isOk(); ++role) {
-    if (times[role] > 0) status = recorder_.timing(frame, kRoleNames[role], times[role]);
-  }
-  return status;
-}
-
 std::vector<RunEvent> RunListener::takeEvents() {
   const std::lock_guard lock(events_mutex_);
   return std::exchange(events_, {});
@@ -96,11 +79,11 @@ std::vector<RunEvent> RunListener::takeEvents() {
 
 Status RunListener::onFrame(const Snapshot& snapshot) {
   if (!record_status_.isOk()) return record_status_;
-  record_status_ = record(snapshot);
+  record_status_ = recorder_.snapshot(snapshot);
   if (!record_status_.isOk()) return record_status_;
-  if (const auto note = source_notes_.add(*snapshot.frame)) {
-    onEvent({snapshot.frame->frame, LogLevel::Warning, assembly_.stageName(Role::Source), *note});
-  }
+  last_recorded_ = snapshot.frame->frame;
+  last_ns_ = snapshot.frame->stamp_ns;
+  if (frames_++ == 0) first_ns_ = last_ns_;
   takeFindings(false);
   const std::vector<RunEvent> events = takeEvents();
   Snapshot observed = snapshot;
@@ -109,21 +92,40 @@ Status RunListener::onFrame(const Snapshot& snapshot) {
                        [&](host::ObserverStage& o) { return o.observe(observed); });
 }
 
-void RunListener::onEvent(const pipeline::Event& event) {
-  // Errors are not shown here: they stop the run and are in the outcome, which the caller shows.
-  log_.write(event.level, event.source, event.message, event.level != LogLevel::Error);
-  (void)recorder_.event(event.frame, event.level, event.source, event.message);
-  if (observers_.empty()) return;
+/// The terminal shows events of the same kind once. Errors are not shown here: they stop the run
+/// and are in the outcome, which the caller shows.
+void RunListener::onEvent(const Event& event) {
   const std::lock_guard lock(events_mutex_);
-  events_.push_back(event);
+  Repeated& kind = kinds_[event.source + ": " + withoutNumbers(event.message)];
+  if (kind.count++ == 0) kind.first = event;
+  const bool is_shown = event.level != LogLevel::Error && kind.count == 1;
+  log_.write(event.level, event.source, event.message, is_shown);
+  (void)recorder_.event(event.frame, event.level, event.source, event.message);
+  if (!observers_.empty()) events_.push_back(event);
 }
 
 void RunListener::takeFindings(bool at_end) {
   Findings& findings = assembly_.findings();
-  const auto found = findings.take();
+  auto found = findings.take(at_end);
+  std::erase_if(found, [&](const auto& finding) {  // those are in the record
+    return finding.frame >= 0 && finding.frame <= repeated_;
+  });
   if (record_status_.isOk() && !found.empty()) record_status_ = recorder_.findings(found);
-  for (const auto& kind : at_end ? findings.takeGrownKinds() : findings.takeNewKinds()) {
+  for (const auto& kind : findings.takeNewKinds()) {
     onEvent({kind.first.frame, kind.level(), kind.first.stage, kind.text()});
+  }
+}
+
+void RunListener::reportRepeated() {
+  takeFindings(true);
+  for (const auto& kind : assembly_.findings().takeGrownKinds()) {
+    log_.write(kind.level(), kind.first.stage, kind.text());
+  }
+  const std::lock_guard lock(events_mutex_);
+  for (const auto& [text, kind] : kinds_) {
+    if (kind.count == 1 || kind.first.level != LogLevel::Warning) continue;
+    log_.write(LogLevel::Warning, kind.first.source,
+               fmt::format("{} more as this one: {}", kind.count - 1, kind.first.message));
   }
 }
 
@@ -136,18 +138,17 @@ bool RunListener::checkpointDue() {
 }
 
 /// Syncs the record before the checkpoint, which must not be newer than the record.
-Status RunListener::onCheckpoint(const pipeline::Checkpoint& checkpoint) {
+Status RunListener::onCheckpoint(const Checkpoint& checkpoint) {
   if (settings_.state_every == 0 || !record_status_.isOk()) return record_status_;
   record_status_ = directory_.stillInPlace();
   if (record_status_.isOk()) record_status_ = recorder_.sync();
-  if (record_status_.isOk() && answers_ != nullptr) record_status_ = answers_->flush();
   if (record_status_.isOk()) {
     record_status_ = saveCheckpoint(assembly_, directory_.path(), checkpoint);
   }
   return record_status_;
 }
 
-Status RunListener::onTrajectory(const std::vector<pipeline::FramePose>& poses) {
+Status RunListener::onTrajectory(const std::vector<FramePose>& poses) {
   std::vector<record::FinalPose> rows;
   rows.reserve(poses.size());
   for (const auto& pose : poses) {
@@ -161,9 +162,8 @@ Status RunListener::onFinish(const std::vector<MotionRevision>& revisions, const
   if (!record_status_.isOk()) return record_status_;
   record_status_ = recorder_.revisions(revisions);
   if (record_status_.isOk()) record_status_ = recorder_.graph(graph);
-  if (record_status_.isOk() && answers_ != nullptr) record_status_ = answers_->finish(revisions);
   if (!record_status_.isOk()) return record_status_;
   return callObservers(-1, [&](host::ObserverStage& o) { return o.finish(graph); });
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

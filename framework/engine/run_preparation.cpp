@@ -9,120 +9,83 @@
 #include "config/system_config.hpp"
 #include "config/values.hpp"
 #include "engine/input_data.hpp"
-#include "engine/program_changes.hpp"
 #include "engine/provenance.hpp"
 #include "engine/resume.hpp"
 #include "engine/run.hpp"
 #include "engine/saved_state.hpp"
 #include "record/atomic_file.hpp"
+#include "record/data_digest.hpp"
 #include "record/digest.hpp"
-#include "record/run_check.hpp"
-#include "record/run_id.hpp"
+#include "record/run_directory.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
+namespace fs = std::filesystem;
+using RunJson = nlohmann::ordered_json;
+
 constexpr const char* kResolvedConfig = "config.resolved.yaml";
-using record::kConfigDigest;
 
-/// Refuses to resume a run whose config.resolved.yaml was changed since it was written.
-void refuseOtherConfig(const std::filesystem::path& run, const nlohmann::ordered_json& run_file) {
-  const Status status = record::checkConfig(run, run_file);
-  if (!status.isOk()) refuseToContinue(status.message());
-}
-
-[[noreturn]] void refuseChanged(const std::string& path, const std::filesystem::path& run,
-                                const std::string& remedy) {
-  refuseToContinue(path + ": has other contents than when the run began (" +
-                   (run / "run.json").string() + "); " + remedy + ", or run it again");
-}
-
-/// Refuses to resume a run whose data have changed: its results would be of two data sets.
-void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_json& before,
-                     const nlohmann::ordered_json& now) {
-  if (!before.contains("data")) return;
-  const nlohmann::json recorded = before["data"];  // not ordered: equal in any order of keys
-  const nlohmann::json found = now["data"];
-  if (recorded == found) return;
-  std::string path = "the list of files";
-  for (const auto& data : found) {
-    if (std::ranges::find(recorded, data) != recorded.end()) continue;
-    path = data["path"].get<std::string>();
-    break;
+/// Refuses to resume a run with another version of this program, with other data, or if the files
+/// of the plugins of its stages have changed: its results would be of two of them. Observers start
+/// again, so they may be others.
+void refuseOthers(const fs::path& run, const RunJson& before, const RunJson& now) {
+  const std::string file = (run / "run.json").string();
+  const auto others = [&](const char* key) {  // nlohmann::json: equal in any order of keys
+    return before.contains(key) && nlohmann::json(before[key]) != nlohmann::json(now[key]);
+  };
+  if (others("tolman")) {
+    refuseToContinue(
+        fmt::format("{}: the run was begun by another version of tolman ({}, this is "
+                    "{}); resume it with that one, or run it again",
+                    file, before["tolman"].dump(), now["tolman"].dump()));
   }
-  refuseChanged(path, run, "put them back");
-}
-
-/// Refuses to resume a run with another version of this program, or if the files of the plugins of
-/// its stages have changed: the saved states are theirs. Observers start again, so they may be
-/// others.
-void refuseOtherPrograms(const std::filesystem::path& run, const nlohmann::ordered_json& before,
-                         const nlohmann::ordered_json& now) {
-  constexpr const char* kHost = "tolman";
-  if (before.contains(kHost) && nlohmann::json(before[kHost]) != nlohmann::json(now[kHost])) {
-    refuseToContinue((run / "run.json").string() + ": the run was begun by another version of " +
-                     "tolman (" + before[kHost].dump() + ", this is " + now[kHost].dump() +
-                     "); resume it with that one, or run it again");
-  }
-  const std::vector<std::string> changed = changedProgramFiles(
+  std::vector<std::string> changed = changedProgramFiles(
       before, now, {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map});
-  if (!changed.empty()) refuseChanged(changed.front(), run, "put it back");
-}
-
-/// Paths of "data" whose digests are known of both runs, and are others.
-std::vector<std::string> changedData(const nlohmann::ordered_json& before,
-                                     const nlohmann::ordered_json& now) {
-  constexpr const char* kDigest = "sha256";
-  std::vector<std::string> changed;
-  if (!before.is_object() || !before.contains("data")) return changed;
-  for (const auto& old : before["data"]) {
-    if (!old.is_object() || !old.contains("path") || !old.contains(kDigest)) continue;
+  if (others("data")) {
+    const nlohmann::json then = before["data"];
     for (const auto& data : now["data"]) {
-      if (data["path"] != old["path"] || !data.contains(kDigest)) continue;
-      if (data[kDigest] != old[kDigest]) changed.push_back(data["path"]);
+      const bool is_same = std::ranges::find(then, nlohmann::json(data)) != then.end();
+      if (!is_same) changed.push_back(data["path"].get<std::string>());
     }
+    if (changed.empty()) changed.emplace_back("the list of files");
   }
-  return changed;
-}
-
-/// Refuses a run directory that contains input data: replacing an earlier run there could delete
-/// them.
-void refuseInputsIn(const std::filesystem::path& out, const std::vector<record::DataFile>& inputs) {
-  std::error_code ignored;
-  if (out.empty() || !std::filesystem::exists(out, ignored)) return;
-  for (const record::DataFile& input : inputs) {
-    if (!record::isInside(input.path, out)) continue;
-    throw Failed({FailureKind::Record, out.string() + ": holds data that the run reads (" +
-                                           input.path.string() + "); choose another --out"});
-  }
+  if (changed.empty()) return;
+  refuseToContinue(changed.front() + ": has other contents than when the run began (" + file +
+                   "); put it back, or run it again");
 }
 
 }  // namespace
 
 void Run::prepare(CheckedSystem system) {
-  inputs_ = inputFiles(inputPaths(system));
+  inputs_ = inputPaths(system);
   checkOut(system.config.general.continue_from);
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
   for (const std::string& doubt : assembly_->source().doubts()) {
     log_.write(LogLevel::Warning, "source", doubt);
   }
-  if (!options_.resume.empty()) {
-    resumeRun();
-    return;
-  }
+  if (!options_.resume.empty()) return resumeRun();
   continueEarlierRun();
   openDirectory();
   openRecord();
 }
 
-/// Refuses a directory that cannot be taken before the plugins are configured, which may last;
-/// openDirectory() does it again. The refusal to continue in the own directory comes first.
+/// Refuses a directory that cannot be taken, or contains data of the run (replacing an earlier run
+/// there could delete them), before the plugins are configured, which may last. The refusal to
+/// continue in the own directory comes first.
 void Run::checkOut(const std::string& continued) const {
   std::error_code ignored;
   if (options_.out.empty() || !options_.resume.empty()) return;
-  if (!continued.empty() && std::filesystem::equivalent(options_.out, continued, ignored)) return;
-  refuseInputsIn(options_.out, inputs_);
+  if (!continued.empty() && fs::equivalent(options_.out, continued, ignored)) {
+    refuseToContinue(continued +
+                     ": a run cannot continue in its own directory; give another one with --out");
+  }
+  for (const std::string& input : inputs_) {
+    if (!fs::exists(options_.out, ignored) || !record::isInside(input, options_.out)) continue;
+    throw Failed({FailureKind::Record, options_.out.string() + ": holds data that the run reads (" +
+                                           input + "); choose another --out"});
+  }
   require(record::RunDirectory::mayTake(options_.out, options_.replace), FailureKind::Record);
 }
 
@@ -130,11 +93,6 @@ void Run::checkOut(const std::string& continued) const {
 void Run::continueEarlierRun() {
   const std::string& directory = config().general.continue_from;
   if (directory.empty()) return;
-  std::error_code ignored;
-  if (!options_.out.empty() && std::filesystem::equivalent(options_.out, directory, ignored)) {
-    refuseToContinue(directory +
-                     ": a run cannot continue in its own directory; give another one with --out");
-  }
   if (record::RunDirectory::isBeingWritten(directory)) {
     refuseToContinue(directory + ": this run is still going; wait for its end, or interrupt it");
   }
@@ -142,7 +100,6 @@ void Run::continueEarlierRun() {
   if (const Status status = record::RunDirectory::checkRunFile(directory); !status.isOk()) {
     refuseToContinue(status.message() + "; put it back, or run the earlier session again");
   }
-  require(record::Recorder::inheritable(*earlier_), FailureKind::Continuation);
   const std::int64_t frames = require(earlier_->nextFrame(), FailureKind::Continuation);
   const SessionProgress before = loadState(*assembly_, directory);
   if (frames < before.frames || (before.finished && frames > before.frames)) {
@@ -164,7 +121,7 @@ void Run::continueEarlierRun() {
 /// Brings the stages to the state of the last checkpoint of the run that `resume` names. If that
 /// fails, its directory is unchanged.
 void Run::resumeRun() {
-  const std::filesystem::path& path = options_.resume;
+  const fs::path& path = options_.resume;
   auto before = record::RunDirectory::readRunFile(path);
   if (!before.is_object()) {
     refuseToContinue((path / "run.json").string() + ": " +
@@ -175,43 +132,36 @@ void Run::resumeRun() {
                      ": this run has finished, there is nothing to resume; to continue its map in "
                      "a new run use --continue");
   }
-  refuseOtherConfig(path, before);
-  nlohmann::ordered_json now = provenance(*assembly_, options_.command_line);
-  refuseOtherData(path, before, now);
-  refuseOtherPrograms(path, before, now);
+  require(record::verify(path), FailureKind::Continuation);
+  RunJson now = provenance(*assembly_, options_.command_line);
+  refuseOthers(path, before, now);
   record::RunDirectory directory =
       require(record::RunDirectory::reopen(path), FailureKind::Continuation);
   log_.write(LogLevel::Info, "resume", "source and odometry repeat the recorded frames");
   resume_ = resumeAt(*assembly_, directory.path(), stop_);
-  if (stop_.requested()) return;
+  if (stop_.requested()) {
+    throw Failed({FailureKind::Interrupted, "interrupted while it was resumed; nothing was changed",
+                  "resume"});
+  }
   directory_ = std::make_unique<record::RunDirectory>(std::move(directory));
   reopenRecord(std::move(before), std::move(now));
 }
 
-void Run::reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now) {
+void Run::reopenRecord(RunJson before, RunJson now) {
   const std::int64_t next_frame = resume_->checkpoint.frame + 1;
   require(directory_->removeDerived(), FailureKind::Record);
   require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
   assembly_->openArtefacts(directory_->path());
   run_file_ = std::move(now);
-  for (const char* kept :
-       {record::kRunIdKey, "started", "command_line", kConfigDigest, "continued", "resumed"}) {
+  for (const char* kept : {record::kRunIdKey, "started", "command_line", record::kConfigDigest,
+                           "continued", "resumed"}) {
     if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
   }
-  if (!run_file_["resumed"].is_array()) run_file_["resumed"] = nlohmann::ordered_json::array();
+  if (!run_file_["resumed"].is_array()) run_file_["resumed"] = RunJson::array();
   run_file_["resumed"].push_back({{"time", utcText(utcSeconds())}, {"first_frame", next_frame}});
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
   recorder_ =
       require(record::Recorder::reopen(directory_->path(), next_frame), FailureKind::Record);
-  if (!recorder_->rowsWereCompared()) {
-    log_.write(LogLevel::Info, "resume",
-               "an earlier version recorded run.sqlite; whether its rows were changed since cannot "
-               "be told");
-  }
-  if (config().record.replay) {
-    answers_ = require(record::AnswersFile::reopen(directory_->path(), next_frame, runId()),
-                       FailureKind::Continuation);
-  }
   MapGraph graph;
   require(assembly_->map().graph(graph), FailureKind::Stage);
   require(recorder_->graph(graph), FailureKind::Record);
@@ -225,58 +175,45 @@ void Run::recordSessions() {
     const auto sessions = require(earlier_->sessions(), FailureKind::Record);
     session.id = static_cast<std::int64_t>(sessions.size());
     require(recorder_->inherit(*earlier_, first_frame_), FailureKind::Record);
-    warnOfOtherCamera(require(earlier_->records<CameraRig>(), FailureKind::Record));
-    warnOfOtherPrograms();
+    warnOfOthers(require(earlier_->records<CameraRig>(), FailureKind::Record));
     earlier_.reset();
   }
   require(recorder_->session(session), FailureKind::Record);
 }
 
-/// Views that another camera saw may not be recognised. `before`: the rigs of the earlier session.
-void Run::warnOfOtherCamera(const std::vector<CameraRig>& before) {
+/// Views that another camera saw may not be recognised, and the state that was loaded may mean
+/// something else to other plugins. `before`: the rigs of the earlier session.
+void Run::warnOfOthers(const std::vector<CameraRig>& before) {
+  const auto warn = [&](const std::string& text) {
+    log_.write(LogLevel::Warning, "continue", text);
+    require(recorder_->event(-1, LogLevel::Warning, "continue", text), FailureKind::Record);
+  };
   const CameraRig& now = assembly_->sourceInfo().rig;
-  if (before.empty() || before.front().width == 0 || now.width == 0) return;
-  std::string changes;
-  visitFields(before.front(), [&](const Field& field, const auto& then) {
-    visitFields(now, [&](const Field& other, const auto& value) {
-      if constexpr (std::is_same_v<decltype(then), decltype(value)>) {
-        if (field.name != other.name || then == value) return;
-        changes += fmt::format("{}{} was {} and is {}", changes.empty() ? "" : ", ", field.name,
-                               then, value);
-      }
-    });
-  });
-  if (changes.empty()) return;
-  const std::string text = "the camera is another than in the earlier session (" + changes +
-                           "); places seen with the earlier one may not be recognised";
-  log_.write(LogLevel::Warning, "continue", text);
-  require(recorder_->event(-1, LogLevel::Warning, "continue", text), FailureKind::Record);
-}
-
-/// A state was loaded that other contents of a program, or of a file that a parameter names, may
-/// have made. Files whose digests are not known are not compared.
-void Run::warnOfOtherPrograms() {
-  const auto before = record::RunDirectory::readRunFile(config().general.continue_from);
-  std::vector<std::string> changed =
-      changedProgramFiles(before, run_file_, {Role::Place, Role::Cells, Role::Map});
-  const std::vector<std::string> paths = statePaths(assembly_->system());
-  for (std::string& path : changedData(before, run_file_)) {
-    const bool is_known = std::ranges::find(changed, path) != changed.end();
-    if (!is_known && std::ranges::find(paths, path) != paths.end()) changed.push_back(path);
+  const auto key = [](const CameraRig& rig) {
+    return fmt::format("{}x{} px, fx {:.6g}, fy {:.6g}, cx {:.6g}, cy {:.6g}, baseline {:.6g} m",
+                       rig.width, rig.height, rig.pinhole.fx, rig.pinhole.fy, rig.pinhole.cx,
+                       rig.pinhole.cy, rig.baseline);
+  };
+  if (!before.empty() && before.front().width > 0 && now.width > 0 &&
+      key(before.front()) != key(now)) {
+    warn(
+        fmt::format("the camera is another than in the earlier session ({}, then {}); places seen "
+                    "with the earlier one may not be recognised",
+                    key(now), key(before.front())));
   }
+  const std::vector<std::string> changed =
+      changedProgramFiles(record::RunDirectory::readRunFile(config().general.continue_from),
+                          run_file_, {Role::Place, Role::Cells, Role::Map});
   if (changed.empty()) return;
-  const std::string text = fmt::format(
-      "{} {} other contents than in the earlier session, whose state was loaded; if that changes "
-      "what the state means, begin a new map",
-      fmt::join(changed, ", "), changed.size() == 1 ? "has" : "have");
-  log_.write(LogLevel::Warning, "continue", text);
-  require(recorder_->event(-1, LogLevel::Warning, "continue", text), FailureKind::Record);
+  warn(
+      fmt::format("{} {} other contents than in the earlier session, whose state was loaded; if "
+                  "that changes what the state means, begin a new map",
+                  fmt::join(changed, ", "), changed.size() == 1 ? "has" : "have"));
 }
 
 /// Called after all plugins are configured and the earlier run is read: failures until then leave
 /// an existing run directory unchanged.
 void Run::openDirectory() {
-  refuseInputsIn(options_.out, inputs_);
   record::RunDirectoryOptions options;
   options.name = config().general.name;
   options.utc_seconds = utcSeconds();
@@ -285,33 +222,19 @@ void Run::openDirectory() {
   directory_ = std::make_unique<record::RunDirectory>(
       require(record::RunDirectory::create(options), FailureKind::Record));
   require(log_.openFile(directory_->path() / "log.txt"), FailureKind::Record);
-  warnOfKeptFiles();
   assembly_->openArtefacts(directory_->path());
 }
 
-/// Files of the user in the folders of the replaced run are beside those of the new one.
-void Run::warnOfKeptFiles() const {
-  const auto& kept = directory_->kept();
-  if (kept.empty()) return;
-  constexpr std::size_t kMostNamed = 5;
-  std::string text = "files that Tolman did not write were kept in the directory of this run: ";
-  for (std::size_t i = 0; i < std::min(kept.size(), kMostNamed); ++i) {
-    text += (i > 0 ? ", " : "") + kept[i].string();
-  }
-  if (kept.size() > kMostNamed) text += fmt::format(" and {} more", kept.size() - kMostNamed);
-  log_.write(LogLevel::Warning, "record", text);
-}
-
 void Run::openRecord() {
+  const fs::path resolved = directory_->path() / kResolvedConfig;
   run_file_ = provenance(*assembly_, options_.command_line);
   if (!config().general.continue_from.empty()) {
     run_file_["continued"] = {{"directory", config().general.continue_from},
                               {"first_frame", first_frame_}};
   }
   const std::string yaml = config::resolvedYaml(config(), assembly_->system().values);
-  require(record::writeAtomically(directory_->path() / kResolvedConfig, yaml), FailureKind::Record);
-  run_file_[kConfigDigest] =
-      require(record::fileDigest(directory_->path() / kResolvedConfig), FailureKind::Record);
+  require(record::writeAtomically(resolved, yaml), FailureKind::Record);
+  run_file_[record::kConfigDigest] = require(record::fileDigest(resolved), FailureKind::Record);
   const bool is_realtime = config().pipeline.mode == config::PipelineMode::Realtime;
   run_file_[record::kRunIdKey] = newRunId(run_file_, is_realtime);
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
@@ -319,17 +242,15 @@ void Run::openRecord() {
   recordSessions();
   require(recorder_->meta("name", config().general.name), FailureKind::Record);
   const bool has_images = assembly_->sourceInfo().rig.width > 0;
-  if (config().record.replay || (options_.share_answers && has_images)) openAnswers();
+  if (config().record.replay || (options_.share_answers && has_images)) recordForReplay();
 }
 
 std::string Run::runId() const { return run_file_.value(record::kRunIdKey, ""); }
 
-void Run::openAnswers() {
+void Run::recordForReplay() {
   std::vector<ArrayInfo> sensors;
   require(assembly_->source().instance().describe(sensors), FailureKind::Plugin);
-  answers_ = require(
-      record::AnswersFile::create(directory_->path(), assembly_->sourceInfo(), sensors, runId()),
-      FailureKind::Record);
+  require(recorder_->recordForReplay(sensors.size()), FailureKind::Record);
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -3,15 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
+
+#include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "engine/provenance.hpp"
-#include "engine/state_files.hpp"
+#include "record/atomic_file.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using StateJson = nlohmann::ordered_json;
 
 constexpr const char* kCheckpoint = "checkpoint";
 
@@ -22,12 +26,110 @@ fs::path checkpointFile(const fs::path& directory) {
 }
 
 /// The common prefix of the files of one checkpoint.
-std::string prefixOf(std::int64_t frame) {
-  return std::string(kCheckpoint) + "-" + std::to_string(frame) + "-";
-}
+std::string prefixOf(std::int64_t frame) { return fmt::format("{}-{}-", kCheckpoint, frame); }
 
 [[noreturn]] void refuseDamaged(const fs::path& file) {
   refuseToContinue(file.string() + ": is damaged; run the earlier session again");
+}
+
+std::string textOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.is_open()) {
+    refuseToContinue(file.string() + ": cannot be read; the saved session is not complete");
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// One of the stages whose state a later run needs.
+struct SavedStage {
+  host::Instance* instance;
+  const config::StageConfig* config;
+  StateJson parameters;
+
+  std::string file(const std::string& prefix) const {
+    return prefix + std::string(enumName(config->role)) + ".bin";
+  }
+};
+
+std::vector<SavedStage> savedStages(Assembly& assembly) {
+  std::vector<SavedStage> saved;
+  const CheckedSystem& system = assembly.system();
+  for (std::size_t i = 0; i < system.config.stages.size(); ++i) {
+    const config::StageConfig& stage = system.config.stages[i];
+    if (stage.role != Role::Place && stage.role != Role::Cells && stage.role != Role::Map) continue;
+    StateJson parameters = StateJson::object();
+    for (const auto& [name, value] : system.values.find(stage.instance)->second) {
+      parameters[name] = valueJson(value);
+    }
+    saved.push_back({assembly.instances()[i], &stage, std::move(parameters)});
+  }
+  return saved;
+}
+
+/// Writes PREFIXstage.bin for each state, and then `file`: `contents` with plugin, version and
+/// parameters of each stage. Each file is written atomically.
+Status writeStates(Assembly& assembly, const fs::path& file, const std::string& prefix,
+                   const std::map<Role, std::string>& states, StateJson contents) {
+  const fs::path folder = file.parent_path();
+  std::error_code ignored;  // writing the files fails
+  // Does not create parents, because the run directory may have been moved.
+  fs::create_directory(folder, ignored);
+  contents["stages"] = StateJson::array();
+  for (const SavedStage& stage : savedStages(assembly)) {
+    const auto state = states.find(stage.config->role);
+    if (state == states.end()) continue;
+    const Status status = record::writeAtomically(folder / stage.file(prefix), state->second);
+    if (!status.isOk()) return status;
+    contents["stages"].push_back({{"role", enumName(stage.config->role)},
+                                  {"plugin", stage.instance->manifest().id},
+                                  {"version", stage.instance->manifest().version},
+                                  {"parameters", stage.parameters}});
+  }
+  return record::writeAtomically(file, config::jsonText(contents, 2) + "\n");
+}
+
+/// Throws Failed for another plugin, version or parameter than in the earlier session.
+void checkStage(const StateJson& then, const SavedStage& stage, const fs::path& directory) {
+  const std::string& name = stage.config->path;
+  const host::Manifest& manifest = stage.instance->manifest();
+  const auto refuse = [&](const std::string& what, const std::string& now, const std::string& was) {
+    refuseToContinue(fmt::format(
+        "{} is {}, and was {} in the earlier session; configure it as in {}, or start a new map",
+        what, now, was, (directory / "config.resolved.yaml").string()));
+  };
+  const auto plugin = then.at("plugin").get<std::string>();
+  if (plugin != manifest.id) refuse(name + ".plugin", manifest.id, plugin);
+  const auto version = then.at("version").get<std::string>();
+  if (version != manifest.version) {
+    refuse("the version of " + name + " (" + plugin + ")", manifest.version, version);
+  }
+  for (const auto& [key, value] : stage.parameters.items()) {
+    const auto old = then.at("parameters").find(key);
+    const bool is_known = old != then.at("parameters").end();
+    if (is_known && *old == value) continue;
+    refuse(name + "." + key, value.dump(), is_known ? old->dump() : "unknown");
+  }
+}
+
+/// Loads the states of place, cells and map into a new assembly.
+void loadStates(Assembly& assembly, const fs::path& file, const std::string& prefix,
+                const StateJson& contents) {
+  const fs::path folder = file.parent_path();
+  for (const SavedStage& stage : savedStages(assembly)) {
+    const std::string role(enumName(stage.config->role));
+    const auto& stages = contents.at("stages");
+    const auto entry = std::find_if(stages.begin(), stages.end(),
+                                    [&](const StateJson& json) { return json.at("role") == role; });
+    if (entry == stages.end()) {
+      refuseToContinue(folder.parent_path().string() + ": its " + role +
+                       " saved no state; its plugin cannot. Choose one that can, such as those of "
+                       "configs/motion.yaml");
+    }
+    checkStage(*entry, stage, folder.parent_path());
+    const fs::path state = folder / stage.file(prefix);
+    const Status status = stage.instance->load(textOf(state));
+    if (!status.isOk()) refuseToContinue(state.string() + ": " + status.message());
+  }
 }
 
 std::int64_t experiencesOf(Assembly& assembly) {
@@ -36,8 +138,7 @@ std::int64_t experiencesOf(Assembly& assembly) {
   return static_cast<std::int64_t>(graph.experiences.size());
 }
 
-SessionProgress loadSession(Assembly& assembly, const fs::path& file) {
-  const Json contents = readContents(file);
+SessionProgress loadSession(Assembly& assembly, const fs::path& file, const StateJson& contents) {
   loadStates(assembly, file, "", contents);
   SessionProgress progress;
   progress.frames = config::integerFrom<std::int64_t>(contents.at("frames"));
@@ -53,12 +154,12 @@ SessionProgress loadSession(Assembly& assembly, const fs::path& file) {
   return progress;
 }
 
-/// Calls `load(file)`, and reports JSON of a wrong shape as a damaged file.
+/// Calls `load(contents of the file)`, and reports JSON of a wrong shape as a damaged file.
 template <class Load>
 auto loaded(const fs::path& file, const Load& load) {
   try {
-    return load(file);
-  } catch (const Json::exception&) {
+    return load(bounded_json::parse<StateJson>(textOf(file)));
+  } catch (const StateJson::exception&) {
     refuseDamaged(file);
   }
 }
@@ -76,25 +177,30 @@ void removeCheckpointsBut(const fs::path& folder, std::int64_t frame) {
 
 }  // namespace
 
-std::optional<Failure> saveState(Assembly& assembly, const fs::path& directory,
-                                 const SessionProgress& progress) {
-  const Result<std::map<Role, std::string>> states = savedStates(assembly);
-  if (!states.isOk())
-    return Failure{kindOf(states.status(), FailureKind::Stage), states.status().message()};
-  if (states.value().empty()) return std::nullopt;
-  const Status status = writeStates(assembly, sessionFile(directory), "", states.value(),
-                                    {{"frames", progress.frames},
-                                     {"experiences", progress.experiences},
-                                     {"templates", progress.templates}});
-  if (!status.isOk()) return Failure{FailureKind::Record, status.message()};
-  return std::nullopt;
+Status saveState(Assembly& assembly, const fs::path& directory, const SessionProgress& progress,
+                 Status& stage_failure) {
+  std::map<Role, std::string> states;
+  for (const SavedStage& stage : savedStages(assembly)) {
+    if (stage.instance->state() == nullptr) continue;
+    Result<std::string> bytes = stage.instance->save();
+    if (!bytes.isOk()) {
+      stage_failure = bytes.status();
+      return Status::ok();
+    }
+    states[stage.config->role] = std::move(bytes).value();
+  }
+  if (states.empty()) return Status::ok();
+  return writeStates(assembly, sessionFile(directory), "", states,
+                     {{"frames", progress.frames},
+                      {"experiences", progress.experiences},
+                      {"templates", progress.templates}});
 }
 
 SessionProgress loadState(Assembly& assembly, const fs::path& directory) {
   const fs::path file = sessionFile(directory);
   std::error_code ignored;
   if (fs::exists(file, ignored)) {
-    return loaded(file, [&](const fs::path& session) { return loadSession(assembly, session); });
+    return loaded(file, [&](const StateJson& json) { return loadSession(assembly, file, json); });
   }
   if (!fs::exists(checkpointFile(directory), ignored)) {
     refuseToContinue(
@@ -110,8 +216,7 @@ SessionProgress loadState(Assembly& assembly, const fs::path& directory) {
   return progress;
 }
 
-Status saveCheckpoint(Assembly& assembly, const fs::path& directory,
-                      const pipeline::Checkpoint& checkpoint) {
+Status saveCheckpoint(Assembly& assembly, const fs::path& directory, const Checkpoint& checkpoint) {
   const fs::path file = checkpointFile(directory);
   const Status status =
       writeStates(assembly, file, prefixOf(checkpoint.frame), checkpoint.states,
@@ -120,20 +225,20 @@ Status saveCheckpoint(Assembly& assembly, const fs::path& directory,
   return status;
 }
 
-pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const fs::path& directory) {
+Checkpoint loadCheckpoint(Assembly& assembly, const fs::path& directory) {
+  const fs::path file = checkpointFile(directory);
   std::error_code ignored;
-  if (!fs::exists(checkpointFile(directory), ignored)) {
+  if (!fs::exists(file, ignored)) {
     refuseToContinue(directory.string() +
                      ": has no checkpoint (it ended before the first one, see record.state_every, "
                      "or place, cells or map cannot save their state); run it again");
   }
-  return loaded(checkpointFile(directory), [&](const fs::path& file) {
-    const Json contents = readContents(file);
-    pipeline::Checkpoint checkpoint;
+  return loaded(file, [&](const StateJson& contents) {
+    Checkpoint checkpoint;
     checkpoint.frame = config::integerFrom<std::int64_t>(contents.at("frame"));
     if (checkpoint.frame < 0) refuseDamaged(file);
-    pipeline::RunCounters::visit(checkpoint.counters, [&](const char* name, auto& value) {
-      const Json& count = contents.at("counters").at(name);
+    RunCounters::visit(checkpoint.counters, [&](const char* name, auto& value) {
+      const StateJson& count = contents.at("counters").at(name);
       if constexpr (std::is_same_v<decltype(value), bool&>) {
         count.get_to(value);
       } else {
@@ -152,4 +257,4 @@ void removeCheckpoint(const fs::path& directory) {
   removeCheckpointsBut(sessionFile(directory).parent_path(), -1);
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

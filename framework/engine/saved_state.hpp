@@ -6,12 +6,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 
 #include "engine/assembly.hpp"
-#include "engine/checkpoint.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 
 /// The size of a session when its state is saved.
 struct SessionProgress {
@@ -23,10 +21,9 @@ struct SessionProgress {
 
 /// Writes state/STAGE.bin for each of place, cells and map that can save its state, and then
 /// state/session.json, which describes the files. Each file is written atomically. Nothing is
-/// written if no stage can save its state. Failures: of a stage (kind Stage), or of a file
-/// (Record).
-std::optional<Failure> saveState(Assembly& assembly, const std::filesystem::path& directory,
-                                 const SessionProgress& progress);
+/// written if no stage can save its state, or if one fails to (`stage_failure`).
+Status saveState(Assembly& assembly, const std::filesystem::path& directory,
+                 const SessionProgress& progress, Status& stage_failure);
 
 /// Loads the state of the run in `directory` into a new assembly: the state at its end, else that
 /// of its last checkpoint. Throws Failed for a damaged file, and for another plugin, version or
@@ -36,14 +33,14 @@ SessionProgress loadState(Assembly& assembly, const std::filesystem::path& direc
 /// Writes state/checkpoint-FRAME-STAGE.bin and then state/checkpoint.json, so that there is a
 /// complete checkpoint at any time; then removes the files of the previous one.
 Status saveCheckpoint(Assembly& assembly, const std::filesystem::path& directory,
-                      const pipeline::Checkpoint& checkpoint);
+                      const Checkpoint& checkpoint);
 
 /// Loads the checkpoint of the run in `directory` into a new assembly; `states` of the result is
 /// empty.
 /// Throws Failed, as loadState().
-pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const std::filesystem::path& directory);
+Checkpoint loadCheckpoint(Assembly& assembly, const std::filesystem::path& directory);
 
 /// Removes the checkpoint of a finished run whose last state is saved.
 void removeCheckpoint(const std::filesystem::path& directory);
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

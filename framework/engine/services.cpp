@@ -4,6 +4,7 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,9 +12,9 @@
 #include <cstdio>
 #include <mutex>
 
-#include "engine/terminal.hpp"
+#include "config/text.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
 namespace {
 
 spdlog::level::level_enum levelOf(LogLevel level) {
@@ -21,6 +22,11 @@ spdlog::level::level_enum levelOf(LogLevel level) {
                                   spdlog::level::err};
   return kLevels.at(static_cast<std::size_t>(level));
 }
+
+/// Signals that ask a process to end, and do so at once where it does nothing about them. Batch
+/// systems send SIGUSR1, SIGUSR2 or SIGXCPU before they kill a job at its limit of time.
+constexpr std::array kEndSignals = {SIGINT,  SIGTERM, SIGHUP,    SIGUSR1,
+                                    SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU};
 
 bool endsAtSecond(int signal) { return signal == SIGINT || signal == SIGTERM; }
 
@@ -36,6 +42,19 @@ sigset_t interruptSignals() {
 }
 
 }  // namespace
+
+int terminalWidth(int descriptor) {
+  winsize size{};
+  const bool known = ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string wipedLine(int descriptor) {
+  if (::isatty(descriptor) != 1) return {};
+  return "\r" + std::string(static_cast<std::size_t>(terminalWidth(descriptor) - 1), ' ') + "\r";
+}
+
+std::string printable(std::string_view text) { return config::printable(text, "?"); }
 
 struct RunLog::Implementation {
   struct Line {
@@ -117,17 +136,6 @@ Status RunLog::status() const {
   return implementation_->status;
 }
 
-void StageLogger::write(LogLevel level, std::string_view message) {
-  constexpr std::size_t kAroundMessage = 64;  // about the size of time, level and source
-  const std::size_t size = message.size() + kAroundMessage;
-  const std::size_t before = bytes_.fetch_add(size);
-  if (before + size <= kMaxBytes) return log_.write(level, source_, message);
-  bytes_ = kMaxBytes;  // so that further messages do not overflow it
-  if (before >= kMaxBytes) return;
-  log_.write(LogLevel::Warning, source_,
-             "has written 16 MiB of messages; further ones are left out");
-}
-
 std::int64_t SteadyClock::steadyNs() const {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
@@ -158,4 +166,4 @@ void Interrupts::listen(const std::stop_token& stop) {
   }
 }
 
-}  // namespace tolman::run
+}  // namespace tolman::engine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The services of a run: its log, a steady clock, cancellation by signals, artefacts of plugins.
+// The services of a run: its log, a steady clock, cancellation by signals or by the run itself.
 #pragma once
 
 #include <array>
@@ -7,13 +7,27 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "engine/failure.hpp"
 #include "tolman/context.hpp"
 
-namespace tolman::run {
+namespace tolman::engine {
+
+/// Columns of the terminal behind `descriptor`; 80 where that is not known.
+int terminalWidth(int descriptor);
+
+/// Text to write before a line on `descriptor`, so that it replaces a progress line: on a terminal
+/// blanks over the present line (they work on every terminal), elsewhere nothing.
+std::string wipedLine(int descriptor);
+
+/// Replaces control characters, which a terminal would execute, and bytes that are not UTF-8 by
+/// `?`. Line ends and tabs are kept.
+std::string printable(std::string_view text);
 
 /// The log of one run: warnings and errors go to stderr (with `quiet` errors only), all lines go to
 /// log.txt. Lines from before the file is opened are kept until then.
@@ -37,20 +51,17 @@ class RunLog {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The logger of one plugin: writes to the run's log under the name of the stage. After kMaxBytes
-/// of messages it writes one warning and no further messages, so that a plugin cannot fill the
-/// disk.
+/// The logger of one plugin: writes to the run's log under the name of the stage.
 class StageLogger : public Logger {
  public:
-  static constexpr std::size_t kMaxBytes = 16 << 20;
-
   StageLogger(RunLog& log, std::string source) : log_(log), source_(std::move(source)) {}
-  void write(LogLevel level, std::string_view message) override;
+  void write(LogLevel level, std::string_view message) override {
+    log_.write(level, source_, message);
+  }
 
  private:
   RunLog& log_;
   std::string source_;
-  std::atomic<std::size_t> bytes_ = 0;  ///< size of the messages so far
 };
 
 class SteadyClock : public Clock {
@@ -58,16 +69,12 @@ class SteadyClock : public Clock {
   std::int64_t steadyNs() const override;
 };
 
-/// Signals that ask a process to end, and do so at once where it does nothing about them. Batch
-/// systems send SIGUSR1, SIGUSR2 or SIGXCPU before they kill a job at its limit of time.
-inline constexpr std::array kEndSignals = {SIGINT,  SIGTERM, SIGHUP,    SIGUSR1,
-                                           SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU};
-
-/// Cancellation by SIGINT and SIGTERM, and by the others of kEndSignals unless they are ignored, as
-/// SIGHUP by nohup. The first signal requests cancellation, a second SIGINT or SIGTERM ends the
-/// process. The others never end it: a closed terminal may send SIGHUP several times, and the
-/// kernel sends SIGXCPU every second. A separate thread waits for the signals. Create this object
-/// before any other thread, so that all threads inherit the signal mask.
+/// Cancellation by SIGINT and SIGTERM, and by SIGHUP and the signals that batch systems send,
+/// unless they are ignored, as SIGHUP by nohup. The first signal requests cancellation, a second
+/// SIGINT or SIGTERM ends the process. The others never end it: a closed terminal may send SIGHUP
+/// several times, and the kernel sends SIGXCPU every second. A separate thread waits for the
+/// signals. Create this object before any other thread, so that all threads inherit the signal
+/// mask.
 class Interrupts : public Cancellation {
  public:
   Interrupts();
@@ -82,4 +89,29 @@ class Interrupts : public Cancellation {
   std::jthread thread_;
 };
 
-}  // namespace tolman::run
+/// Cancellation by the caller of a run, or by the run itself with a reason.
+class StopRequest : public Cancellation {
+ public:
+  explicit StopRequest(const Cancellation& caller) : caller_(caller) {}
+  bool requested() const override { return stopped_ || caller_.requested(); }
+
+  /// Stops the run. If it is called again, the first reason is kept.
+  void stop(Failure reason) {
+    const std::lock_guard lock(mutex_);
+    if (!reason_) reason_ = std::move(reason);
+    stopped_ = true;
+  }
+  /// Why the run stopped itself; none if it was not stopped, or cancelled by the caller.
+  std::optional<Failure> reason() const {
+    const std::lock_guard lock(mutex_);
+    return reason_;
+  }
+
+ private:
+  const Cancellation& caller_;
+  std::atomic<bool> stopped_ = false;
+  mutable std::mutex mutex_;  // guards the reason
+  std::optional<Failure> reason_;
+};
+
+}  // namespace tolman::engine

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace tolman::imaging {
+namespace tolman::engine {
 namespace {
 
 // Lengths in pixels of the half images.
@@ -153,7 +153,23 @@ std::optional<RowMatch> findMatch(const Patch& patch, const Corner& corner, cons
 
 }  // namespace
 
-double percentile(std::vector<double> values, double share) {
+GrayHalf grayHalf(const Image& image) {
+  GrayHalf half{image.width() / 2, image.height() / 2, {}};
+  half.pixels.resize(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+  const int step = bytesPerPixel(image.format());
+  const int channel = step == 3 ? 1 : 0;
+  std::uint8_t* out = half.pixels.data();
+  for (int r = 0; r < half.height; ++r) {
+    const std::uint8_t* a = image.row(2 * r) + channel;
+    const std::uint8_t* b = image.row(2 * r + 1) + channel;
+    for (int c = 0; c < half.width; ++c, a += 2 * step, b += 2 * step) {
+      *out++ = static_cast<std::uint8_t>((a[0] + a[step] + b[0] + b[step] + 2) / 4);
+    }
+  }
+  return half;
+}
+
+double quantile(std::vector<double> values, double share) {
   const auto nth =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
@@ -178,10 +194,10 @@ StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
   measure.matched = static_cast<int>(down.size());
   if (down.empty()) return measure;
   measure.rows = down;
-  measure.rows_low = percentile(down, 0.5);
+  measure.rows_low = quantile(down, 0.5);
   measure.share_exchanged = static_cast<double>(exchanged) / measure.matched;
   for (double& d : down) d = std::fabs(d - measure.rows_low);
-  measure.spread = percentile(down, 0.8);
+  measure.spread = quantile(down, 0.8);
   return measure;
 }
 
@@ -202,10 +218,14 @@ StereoFault faultOf(const StereoMeasure& measure) {
 std::string faultText(StereoFault fault, const StereoMeasure& measure) {
   switch (fault) {
     case StereoFault::RowsApart:
-      return fmt::format("the right image is {:.1f} px {}; are the images rectified?",
-                         std::fabs(measure.rows_low), measure.rows_low > 0 ? "low" : "high");
+      return fmt::format(
+          "the right image is {:.1f} px {}; are the images rectified, by the "
+          "calibration of these cameras?",
+          std::fabs(measure.rows_low), measure.rows_low > 0 ? "low" : "high");
     case StereoFault::Exchanged:
-      return "left and right image are exchanged";
+      return "left and right image are exchanged; exchange the two folders, topics or cameras of "
+             "the "
+             "calibration";
     case StereoFault::OtherTime:
       return fmt::format(
           "the rows of left and right image do not belong together (differences of {:.1f} px); are "
@@ -217,4 +237,4 @@ std::string faultText(StereoFault fault, const StereoMeasure& measure) {
   return "";
 }
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine

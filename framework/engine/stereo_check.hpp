@@ -4,12 +4,26 @@
 // they are found in the same row, further left.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "engine/gray_half.hpp"
+#include "tolman/image.hpp"
 
-namespace tolman::imaging {
+namespace tolman::engine {
+
+/// A grey image with half the width and height: the mean of 2x2 pixels, of the green channel for
+/// colour images.
+struct GrayHalf {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+  const std::uint8_t* row(int r) const {
+    return pixels.data() + std::ptrdiff_t{r} * std::ptrdiff_t{width};
+  }
+};
+GrayHalf grayHalf(const Image& image);
 
 /// Pixels are those of the full images.
 struct StereoMeasure {
@@ -30,9 +44,9 @@ enum class StereoFault { None, RowsApart, Exchanged, OtherTime };
 StereoFault faultOf(const StereoMeasure& measure);
 
 /// The value that `share` of the values do not exceed; there must be one.
-double percentile(std::vector<double> values, double share);
+double quantile(std::vector<double> values, double share);
 
 /// "the right image is 3.0 px low; are the images rectified?"
 std::string faultText(StereoFault fault, const StereoMeasure& measure);
 
-}  // namespace tolman::imaging
+}  // namespace tolman::engine
