@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 
 #include "tolman/context.hpp"
@@ -11,8 +10,7 @@
 namespace tolman::record {
 
 /// Writes below <run>/artefacts/<instance>/ only: names with "..", absolute names and
-/// symbolic links on the way are refused. Each name is added to kArtefactList first, so that
-/// `run --force` can tell artefacts from other files.
+/// symbolic links on the way are refused.
 class ArtefactFolder : public ArtefactWriter {
  public:
   ArtefactFolder(std::filesystem::path run_directory, std::string instance);
@@ -21,7 +19,6 @@ class ArtefactFolder : public ArtefactWriter {
  private:
   std::filesystem::path run_directory_;
   std::string instance_;
-  std::set<std::string> listed_;  ///< names that are in the list already
 };
 
 }  // namespace tolman::record

@@ -9,21 +9,11 @@
 #include <system_error>
 #include <utility>
 
-#include "record/descriptor_limit.hpp"
-#include "record/file_size_limit.hpp"
-
 namespace tolman::record {
 namespace {
 
 Status failure(const std::string& shown, const std::string& what) {
-  const int code = errno;
-  const std::string reason = std::generic_category().message(code);
-  if (isDescriptorLimit(code)) {  // the remedy in `what` is of another cause
-    return Status::failed(shown + ": " + what.substr(0, what.find(';')) + " (" + reason + ")" +
-                          kMoreDescriptors);
-  }
-  const std::string limit = code == EFBIG ? fileSizeLimit() : "";
-  return Status::failed(shown + ": " + what + " (" + reason + ")" + limit);
+  return Status::failed(shown + ": " + what + " (" + std::generic_category().message(errno) + ")");
 }
 
 bool writeAll(int file, std::span<const std::byte> bytes) {

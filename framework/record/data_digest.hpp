@@ -1,14 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Digests of the files that a run reads.
+// The files that a run reads, their digests, and whether they are still the same.
 #pragma once
+
+#include <sys/stat.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tolman/status.hpp"
 
 namespace tolman::record {
+
+inline constexpr std::size_t kMaxFiles = 1'000'000;
+inline constexpr std::int64_t kMaxData = std::int64_t{64} << 30U;  // bytes
+
+struct DataFile {
+  std::string name;  ///< relative to the path that was given; empty for a single file
+  std::filesystem::path path;
+  struct stat status {};
+
+  /// Name, device, inode, size and time of modification, as one line.
+  std::string stamp() const;
+};
+
+/// The regular files below `root` by name, or `root` itself if it is a file. Of a run directory
+/// only the files that a later run reads: run.sqlite and the state; run directories further below
+/// are left out, because they are results, and not part of the data beside them. Links are
+/// followed, but not back to a folder that contains them. Throws std::filesystem::filesystem_error,
+/// for more than kMaxFiles files with std::errc::file_too_large.
+std::vector<DataFile> dataFiles(const std::filesystem::path& root);
+
+/// The first of these files that was changed, replaced or removed since it was listed; empty if
+/// none was.
+std::filesystem::path firstChanged(const std::vector<DataFile>& files);
+
+/// Whether `path`, which need not exist, is `folder` or lies in it; links are followed.
+bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 struct DataDigest {
   std::string path;
@@ -17,8 +46,6 @@ struct DataDigest {
   std::string stamp;   ///< SHA-256 of names, inodes, sizes and modification times of all files
   std::string sha256;  ///< SHA-256 of names and contents of all files; empty above the limit
 };
-
-inline constexpr std::int64_t kMaxData = std::int64_t{64} << 30U;  // bytes
 
 /// The digest of a file, or of all dataFiles() below a folder. Contents are not read if `known` has
 /// the same path and stamp (then `known` is returned), or if there are more than `most` bytes.

@@ -1,14 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/digest.hpp"
 
-#include <array>
+#include <fmt/format.h>
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
 
+#include <array>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "base/sqlite.hpp"
 #include "record/atomic_file.hpp"
 #include "record/export.hpp"
-#include "record/regular_file.hpp"
-#include "record/sha256.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check(int success) {
+  if (success != 1) throw std::runtime_error("libcrypto cannot compute SHA-256");
+}
+
+/// Without a handler of exit(): when a plugin calls it, other threads still compute digests.
+evp_md_ctx_st* newContext() {
+  check(OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr));
+  return EVP_MD_CTX_new();
+}
+
+constexpr const char* kRecordName = "run.sqlite";
+using Digests = std::map<std::string, std::string>;
+
+/// Those that run.json has.
+Digests ownDigests(const fs::path& run_directory) {
+  const auto json = RunDirectory::readRunFile(run_directory);
+  Digests digests;
+  for (const auto& [file, key] :
+       {std::pair("config.resolved.yaml", kConfigDigest), std::pair(kRecordName, kRecordDigest)}) {
+    const auto digest = json.find(key);  // end() also if it is no object
+    if (digest != json.end() && digest->is_string()) digests[file] = digest->get<std::string>();
+  }
+  return digests;
+}
+
+std::set<std::string> changedOf(const fs::path& run_directory, const Digests& digests) {
+  std::set<std::string> changed;
+  for (const auto& [file, digest] : digests) {
+    std::error_code ignored;
+    if (!fs::exists(run_directory / file, ignored)) continue;
+    const Result<std::string> found = fileDigest(run_directory / file);
+    if (!found.isOk() || found.value() != digest) changed.insert(file);
+  }
+  return changed;
+}
+
+/// A log that a run leaves when it ends is empty: another one is of an earlier state, and SQLite
+/// would read it.
+bool hasLog(const fs::path& run_directory) {
+  std::error_code error;
+  const auto size = fs::file_size(run_directory / "run.sqlite-wal", error);
+  return !error && size > 0;
+}
+
+}  // namespace
+
+void Sha256::Free::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
+
+Sha256::Sha256() : context_(newContext()) {
+  check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
+}
+
+void Sha256::add(std::span<const std::byte> bytes) {
+  check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
+}
+
+std::string Sha256::digest() {
+  std::array<unsigned char, 32> bytes{};
+  check(EVP_DigestFinal_ex(context_.get(), bytes.data(), nullptr));
+  return fmt::format("{:02x}", fmt::join(bytes, ""));
+}
 
 std::string textDigest(std::string_view text) {
   Sha256 sha;
@@ -16,9 +88,8 @@ std::string textDigest(std::string_view text) {
   return sha.digest();
 }
 
-Result<std::string> fileDigest(const std::filesystem::path& file) {
-  std::ifstream stream = openRegular(file);
-  if (!stream.is_open()) return Status::invalidInput(file.string() + ": cannot be read");
+Result<std::string> fileDigest(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
   Sha256 sha;
   std::array<char, 65536> buffer{};
   while (stream.read(buffer.data(), buffer.size()) || stream.gcount() > 0) {
@@ -28,10 +99,10 @@ Result<std::string> fileDigest(const std::filesystem::path& file) {
   return sha.digest();
 }
 
-Status writeResultsDigest(const std::filesystem::path& run_directory) {
+Status writeResultsDigest(const fs::path& run_directory) {
   std::string text;
   for (const std::string_view file : kExportedFiles) {
-    if (!std::filesystem::exists(run_directory / file)) continue;
+    if (!fs::exists(run_directory / file)) continue;
     const Result<std::string> digest = fileDigest(run_directory / file);
     if (!digest.isOk()) return digest.status();
     text += digest.value() + "  " + std::string(file) + "\n";
@@ -39,22 +110,42 @@ Status writeResultsDigest(const std::filesystem::path& run_directory) {
   return writeAtomically(run_directory / "results.sha256", text);
 }
 
-std::map<std::string, std::string> resultsDigests(const std::filesystem::path& run_directory) {
+std::map<std::string, std::string> resultsDigests(const fs::path& run_directory) {
   std::map<std::string, std::string> digests;
-  std::ifstream stream = openRegular(run_directory / "results.sha256");
+  std::ifstream stream(run_directory / "results.sha256");
   for (std::string digest, file; stream >> digest >> file;) digests[file] = digest;
   return digests;
 }
 
-std::set<std::string> changedResults(const std::filesystem::path& run_directory) {
-  std::set<std::string> changed;
-  for (const auto& [file, digest] : resultsDigests(run_directory)) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(run_directory / file, ignored)) continue;
-    const Result<std::string> found = fileDigest(run_directory / file);
-    if (!found.isOk() || found.value() != digest) changed.insert(file);
+Result<std::string> recordDigest(const fs::path& run_directory) {
+  if (hasLog(run_directory)) return std::string();
+  return fileDigest(run_directory / kRecordName);
+}
+
+std::set<std::string> changedResults(const fs::path& run_directory) {
+  Digests digests = ownDigests(run_directory);
+  digests.erase(kRecordName);
+  digests.merge(resultsDigests(run_directory));
+  return changedOf(run_directory, digests);
+}
+
+Status verify(const fs::path& run_directory) {
+  if (RunDirectory::isBeingWritten(run_directory)) return Status::ok();
+  const Digests digests = ownDigests(run_directory);
+  std::set<std::string> changed = changedOf(run_directory, digests);
+  if (digests.contains(kRecordName) && hasLog(run_directory)) changed.insert("run.sqlite-wal");
+  if (!changed.empty()) {
+    return Status::invalidInput((run_directory / *changed.begin()).string() +
+                                ": is not what the run wrote: changed, damaged or of another run "
+                                "since; put the file back, or run it again");
   }
-  return changed;
+  const fs::path file = run_directory / kRecordName;
+  if (!RunDirectory::wasKilled(run_directory) || !fs::exists(file)) return Status::ok();
+  return guarded(file.string(), [&] {
+    const Database database = openDatabase(file, Access::ReadOnly);
+    Statement row(database, "PRAGMA quick_check(1)");
+    if (row.step() && row.next().getString() != "ok") throw BadRow("is damaged; run it again");
+  });
 }
 
 }  // namespace tolman::record

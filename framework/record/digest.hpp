@@ -1,20 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SHA-256 of the results of a run, to compare runs byte by byte.
+// SHA-256 digests, as sha256sum prints them; computed by OpenSSL's libcrypto. And whether the files
+// of a run are those that it wrote: run.json, its last file, has the digests of run.sqlite and
+// config.resolved.yaml, and results.sha256 those of the results, to compare runs byte by byte.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "tolman/status.hpp"
 
+struct evp_md_ctx_st;  // EVP_MD_CTX of <openssl/evp.h>
+
 namespace tolman::record {
 
-/// SHA-256 of a text or of the bytes of a file, as 64 hexadecimal digits.
+class Sha256 {
+ public:
+  Sha256();
+  void add(std::span<const std::byte> bytes);
+  void add(std::string_view text) { add(std::as_bytes(std::span(text.data(), text.size()))); }
+  /// 64 hexadecimal digits of all bytes added; nothing may be added afterwards.
+  std::string digest();
+
+ private:
+  struct Free {
+    void operator()(evp_md_ctx_st* context) const;
+  };
+  std::unique_ptr<evp_md_ctx_st, Free> context_;
+};
+
+/// SHA-256 of a text or of the bytes of a file.
 std::string textDigest(std::string_view text);
 Result<std::string> fileDigest(const std::filesystem::path& file);
+
+/// Keys of run.json.
+inline constexpr const char* kConfigDigest = "config_sha256";
+inline constexpr const char* kRecordDigest = "record_sha256";
 
 /// Writes results.sha256: digests of the exported files that exist, in the format of `sha256sum
 /// -c`.
@@ -23,8 +49,15 @@ Status writeResultsDigest(const std::filesystem::path& run_directory);
 /// Digests that results.sha256 lists, by file; empty where there is none.
 std::map<std::string, std::string> resultsDigests(const std::filesystem::path& run_directory);
 
-/// The files that results.sha256 lists and that are not as it says. Files that were removed are
-/// none of them: an archive has the digests without the files.
+/// The digest of run.sqlite of a run that ends; empty if a reader has kept rows in its log.
+Result<std::string> recordDigest(const std::filesystem::path& run_directory);
+
+/// Files of a run, but for run.sqlite, that are not those that it wrote. Files that were removed
+/// are not among them: an archive has the digests without the files.
 std::set<std::string> changedResults(const std::filesystem::path& run_directory);
+
+/// InvalidInput where run.sqlite or config.resolved.yaml is not what the run wrote. A run that was
+/// killed has no digest of run.sqlite: then SQLite checks it. Ok while the run goes on.
+Status verify(const std::filesystem::path& run_directory);
 
 }  // namespace tolman::record

@@ -7,11 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "record/digest.hpp"
-#include "record/g2o_file.hpp"
+#include "record/map_file.hpp"
 #include "record/output_places.hpp"
 #include "record/pose_files.hpp"
-#include "record/row_sums.hpp"
 
 namespace tolman::record {
 namespace {
@@ -65,42 +63,11 @@ Result<std::string> contentOf(const RunReader& reader, std::string_view file, co
 
 }  // namespace
 
-Status checkUnchanged(const RunReader& reader) {
-  const std::map<std::string, std::string> listed = resultsDigests(reader.directory());
-  if (listed.empty()) return Status::ok();
-  const Result<Span> span = spanOf(reader, -1);
-  if (!span.isOk()) return span.status();
-  for (const std::string_view file : kExportedFiles) {
-    const auto digest = listed.find(std::string(file));
-    const Result<std::string> content = contentOf(reader, file, span.value());
-    if (!content.isOk()) return content.status();
-    if (digest == listed.end() || textDigest(content.value()) == digest->second) continue;
-    const Result<std::string> present = fileDigest(reader.directory() / file);
-    if (!present.isOk() || present.value() != digest->second) continue;  // nothing sound is lost
-    return Status::failed((reader.directory() / file).string() +
-                          ": the record gives other results than results.sha256 says: it was "
-                          "changed after the run, or another version wrote it; --out exports it to "
-                          "another folder");
-  }
-  return Status::ok();
-}
-
-Status checkRows(const RunReader& reader, std::span<const std::string_view> tables) {
-  if (!hasRowSums(reader.database())) return checkUnchanged(reader);
-  if (reader.rowsWereCompared()) return Status::ok();
-  return guarded((reader.directory() / "run.sqlite").string(),
-                 [&] { requireRowSums(reader.database(), tables); });
-}
-
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
                                                      const std::filesystem::path& folder,
                                                      std::int64_t session) {
   const Result<Span> span = spanOf(reader, session);
   if (!span.isOk()) return span.status();
-  std::error_code ignored;
-  if (std::filesystem::equivalent(folder, reader.directory(), ignored)) {
-    if (Status status = checkUnchanged(reader); !status.isOk()) return status;
-  }
   std::vector<OutputFile> files;
   std::vector<std::filesystem::path> written;
   Status unreadable;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <filesystem>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -19,22 +18,12 @@ inline constexpr std::array<std::string_view, 5> kExportedFiles = {
 /// Writes kExportedFiles into `folder`, each atomically; the folder must exist. `trajectory` is
 /// that of the map. Trajectories are those of one session (-1: the last), because the stamps of
 /// different sessions may be of different clocks. Files that would be empty (a run without a map)
-/// are left out. Returns the written files; InvalidInput if the record has nothing to export, and
-/// Failed if it would replace sound results of the run (checkUnchanged).
+/// are left out. Returns the written files; InvalidInput if the record has nothing to export.
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
                                                      const std::filesystem::path& folder,
                                                      std::int64_t session = -1);
 Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path& run_directory,
                                                      const std::filesystem::path& folder,
                                                      std::int64_t session = -1);
-
-/// Failed where the record of a finished run gives other results than its results.sha256 lists, and
-/// the listed file is still there: rows were changed after the run.
-Status checkUnchanged(const RunReader& reader);
-
-/// Fails where the rows of these tables (empty: of all) are not those that the run wrote. Of a
-/// record without sums it compares the results instead, as checkUnchanged(). Rows that open() has
-/// compared are not read again.
-Status checkRows(const RunReader& reader, std::span<const std::string_view> tables = {});
 
 }  // namespace tolman::record

@@ -11,9 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include "record/fingerprint.hpp"
-#include "record/row_sums.hpp"
-#include "record/rows.hpp"
 #include "record/run_reader.hpp"
 #include "record/store.hpp"
 #include "tolman/context.hpp"
@@ -21,9 +18,20 @@
 
 namespace tolman::record {
 
-/// All functions may be called from any thread. Each call is written completely or not at all.
-/// After a disk error every later call returns that error. A row that violates the schema (a frame
-/// recorded twice, a link to a missing experience) fails its own call only.
+/// For Recorder::recordArrays(): every frame of the first kMostArrayFrames, then ever fewer.
+inline constexpr int kAutomatic = -1;
+inline constexpr std::int64_t kMostArrayFrames = 5'000;
+
+/// The least power of two N so that every N-th frame up to `frame` is at most kMostArrayFrames.
+constexpr std::int64_t arrayStep(std::int64_t frame) {
+  std::int64_t step = 1;
+  while (frame >= kMostArrayFrames * step) step *= 2;
+  return step;
+}
+
+/// All functions may be called from any thread. After a failure, such as a full disk or a row that
+/// violates the schema (a frame recorded twice, a link to a missing experience), every later call
+/// returns it, and the record ends with the last commit.
 ///
 /// The points of a motion are stored once per points_frame; later rows with the same points_frame
 /// have none. Tables `experience` and `link` have the latest values.
@@ -32,20 +40,22 @@ class Recorder {
   /// Creates run.sqlite, with the id of the run, in an existing directory that has none.
   static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory,
                                                 const std::string& run_id = "");
-  /// Opens run.sqlite of an interrupted or killed run, unless its rows have changed. Removes the
-  /// rows from frame `next_frame` on, and the tables that a run writes once: begin(), graph() and
-  /// finalPoses() write them again.
+  /// Opens run.sqlite of an interrupted or killed run. Removes the rows from frame `next_frame` on,
+  /// and the tables that a run writes once: begin(), graph() and finalPoses() write them again.
   static Result<std::unique_ptr<Recorder>> reopen(const std::filesystem::path& directory,
                                                   std::int64_t next_frame);
-  /// After reopen(): whether the rows could be compared with the sums that the run wrote; records
-  /// of earlier versions have no sums.
-  bool rowsWereCompared() const { return rows_were_compared_; }
   ~Recorder();  ///< closes, and ignores the status of close()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Ok if inherit() can read all of `earlier`, and its rows are those that its run wrote.
-  static Status inheritable(const RunReader& earlier);
+  /// Arrays of the cells are recorded every N frames; 0: never. kAutomatic: at every
+  /// arrayStep()-th frame; those of earlier frames between are removed as the run grows, so the
+  /// record of a run that ended has the same frames as if its length had been known.
+  void recordArrays(int every) { arrays_every_ = every; }
+  /// From now on also records all bits of poses, so that the run can be replayed. `sensors`: how
+  /// many of the descriptions of arrays are those of the source.
+  Status recordForReplay(std::size_t sensors);
+
   /// Must be the first call when this run continues `earlier`. Copies its sessions and the frames
   /// below `frames`, but not its map: the map of this run already contains that.
   Status inherit(const RunReader& earlier, std::int64_t frames);
@@ -53,7 +63,8 @@ class Recorder {
   Status session(const RecordedSession& session);
   /// The cameras of the source and the descriptions of the arrays.
   Status begin(const RunInfo& run);
-  /// One frame with the results of all stages; members other than `frame` may be null.
+  /// One frame with the results and the times of all stages; members other than `frame` may be
+  /// null.
   Status snapshot(const Snapshot& snapshot);
   /// Revisions that odometry returned after the last frame.
   Status revisions(const std::vector<MotionRevision>& revisions);
@@ -78,10 +89,12 @@ class Recorder {
   Status write(Work&& work);
   void writeGraph(const MapGraph& graph);
   void writeMotion(const Motion& motion);
+  void writeArrays(std::int64_t frame, const std::vector<NamedArray>& arrays);
+  void removeArraysBetween();
   void removeFrom(std::int64_t next_frame);
-  void rollBackCall();
   void commitNow();
   void setMeta(const std::string& key, const std::string& value);
+  std::int64_t largest(const std::string& column, const std::string& table);
   void mergeLog();
   void commitRegularly(const std::stop_token& stop);
 
@@ -89,14 +102,13 @@ class Recorder {
   std::string name_;
   Database database_;
   StoreWriter store_;
-  Statement meta_;
-  // Of the rows in the tables, so that only changed rows are written.
-  std::vector<Fingerprint> written_experiences_;
-  std::vector<Fingerprint> written_links_;
+  Statement meta_, remove_arrays_;
+  // Hashes of the rows in the tables, so that only changed rows are written.
+  std::vector<std::uint64_t> written_experiences_;
+  std::vector<std::uint64_t> written_links_;
   std::int64_t points_frame_ = -1;
-  RowSums sums_;         // of the rows of the database
-  RowSums sums_before_;  // the same, before the present call
-  bool rows_were_compared_ = false;
+  int arrays_every_ = 1;
+  bool exact_ = false;
   bool in_transaction_ = false;
   bool closed_ = false;
   Status failure_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/replay.hpp"
 
-#include "config/text.hpp"
+#include "base/named_value.hpp"
 
 namespace tolman::record {
 namespace {
@@ -9,9 +9,7 @@ namespace {
 std::int64_t lastShown(const Database& database, bool unfinished) {
   Statement row(database, "SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"");
   row.step();
-  const std::int64_t last = row.next().getInt64();
-  checkNumber(last, kMaxNumber<std::int64_t>);
-  return last - (unfinished ? 1 : 0);
+  return row.next().getInt64() - (unfinished ? 1 : 0);
 }
 
 template <class T>
@@ -81,7 +79,8 @@ Replay::Replay(const RunReader& reader, ReplayPosition position, bool unfinished
       decisions_(reader.database(), "frame", position_.frame),
       maps_(reader.database(), "frame", position_.frame),
       times_(reader.database(), "rowid", position_.timing_row),
-      events_(reader.database(), "rowid", position_.event_row) {}
+      events_(reader.database(), "rowid", position_.event_row),
+      arrays_(reader.database(), "WHERE \"frame\" = ? AND \"source\" = 'cells'") {}
 
 Result<bool> Replay::next(RecordedFrame& recorded) {
   if (!frames_.ahead || frames_.ahead->frame > end_) return false;
@@ -100,7 +99,7 @@ void Replay::fill(RecordedFrame& recorded) {
   recorded.place = places_.take(frame);
   recorded.decision = decisions_.take(frame);
   recorded.map = maps_.take(frame);
-  recorded.cells = readArrays(reader_.database(), frame, "cells");
+  arrays_.each([&](const RecordedArray& row) { recorded.cells.push_back(arrayOf(row)); }, frame);
   takeTimes(recorded);
   takeEvents(recorded);
   position_.frame = frame;
@@ -119,7 +118,7 @@ void Replay::restorePoints(Motion& motion) {
 /// Takes the timing rows of the frame; rows are in the order of frames.
 void Replay::takeTimes(RecordedFrame& recorded) {
   for (; times_.ahead && times_.ahead->frame <= recorded.frame.frame; times_.advance()) {
-    const auto role = config::valueNamed<Role>(times_.ahead->stage);
+    const auto role = valueNamed<Role>(times_.ahead->stage);
     if (role && times_.ahead->frame == recorded.frame.frame) {
       recorded.stage_times_ns[static_cast<std::size_t>(*role)] = times_.ahead->duration_ns;
     }

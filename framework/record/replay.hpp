@@ -19,7 +19,7 @@ struct RecordedFrame {
   std::optional<PlaceObservation> place;
   std::optional<Decision> decision;
   std::optional<MapUpdate> map;
-  std::vector<NamedArray> cells;  ///< only at every record.arrays_every-th frame
+  std::vector<NamedArray> cells;  ///< only where they were recorded (record.arrays_every)
   StageTimes stage_times_ns{};
   std::vector<RunEvent> events;  ///< since the previous frame
 
@@ -76,6 +76,7 @@ class Replay {
   Cursor<MapUpdate> maps_;
   Cursor<RecordedTiming> times_;
   Cursor<RecordedEvent> events_;
+  RowsOf<RecordedArray> arrays_;  ///< of the cells at one frame
 };
 
 }  // namespace tolman::record

@@ -9,17 +9,15 @@
 
 #include <cerrno>
 #include <ctime>
+#include <fstream>
 #include <span>
 #include <system_error>
 
 #include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "config/values.hpp"
-#include "record/descriptor_limit.hpp"
 #include "record/output_places.hpp"
-#include "record/regular_file.hpp"
 #include "record/run_files.hpp"
-#include "record/sqlite.hpp"
 
 namespace tolman::record {
 namespace {
@@ -61,24 +59,9 @@ void pointLatestAt(const fs::path& path) {
   fs::rename(temporary, link, ignored);
 }
 
-FileDescriptor spareDescriptor() {
-  return FileDescriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-}
-
 Status cannotBeMade(const fs::path& path, const std::error_code& why) {
   return Status::failed(path.string() + ": cannot be made a run directory (" + why.message() +
                         "); choose another with --out");
-}
-
-/// Refuses a directory, which need not exist, whose run.sqlite SQLite cannot open.
-Status refuseLongPath(const fs::path& path) {
-  constexpr std::size_t kLongest = kLongestDatabasePath - std::string_view("/run.sqlite").size();
-  const std::size_t length = truePath(path).native().size();
-  if (length <= kLongest) return Status::ok();
-  return Status::failed(fmt::format(
-      "{}: its path has {} bytes, and SQLite opens run.sqlite only in a directory whose absolute "
-      "path, without symbolic links, has at most {}; choose a shorter --out",
-      path.string(), length, kLongest));
 }
 
 /// Ok for an empty folder, and with `replace` for that of an earlier run.
@@ -102,20 +85,18 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
   try {
     if (options.out) {
       if (Status own = refuseRunPlaces(*options.out, "--out"); !own.isOk()) return own;
-      if (Status length = refuseLongPath(*options.out); !length.isOk()) return length;
       fs::create_directories(*options.out);
       const fs::path out = fs::canonical(*options.out);
       Result<RunDirectory> directory = lock(out, kOther);
       if (!directory.isOk()) return directory;
       Status status = mayReplace(out, options.replace);
-      if (status.isOk()) status = removeRunFiles(out, directory.value().kept_);
+      if (status.isOk()) status = removeRunFiles(out);
       if (!status.isOk()) return status;
       return directory;
     }
     const std::string name = folderName(options);
     const fs::path named = options.root / name;
     if (Status own = refuseRunPlaces(named, "--out"); !own.isOk()) return own;
-    if (Status length = refuseLongPath(named); !length.isOk()) return length;
     const fs::path path = fs::canonical(makeNamed(options, name));
     pointLatestAt(path);
     return lock(path, kOther);
@@ -144,9 +125,6 @@ Result<RunDirectory> RunDirectory::reopen(const fs::path& path) {
 
 Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string& remedy) {
   FileDescriptor descriptor = lockFolder(path);
-  if (!descriptor.isOpen() && isDescriptorLimit(errno)) {
-    return Status::failed(path.string() + ": cannot be opened" + kMoreDescriptors);
-  }
   if (!descriptor.isOpen() && ::access(path.c_str(), R_OK | W_OK | X_OK) != 0) {
     return Status::failed(path.string() + ": " + std::generic_category().message(errno) +
                           "; look at its permissions and at the umask");
@@ -154,9 +132,7 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string&
   if (!descriptor.isOpen()) {
     return Status::failed(path.string() + kBusy + remedy);
   }
-  RunDirectory directory(path, std::move(descriptor));
-  directory.spare_ = spareDescriptor();
-  return directory;
+  return RunDirectory(path, std::move(descriptor));
 }
 
 Status RunDirectory::mayTakeFilesOf(const fs::path& run, const fs::path& folder) {
@@ -187,7 +163,7 @@ bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
 }
 
 nlohmann::ordered_json RunDirectory::readRunFile(const std::filesystem::path& path) {
-  std::ifstream file = openRegular(path / "run.json");
+  std::ifstream file(path / "run.json");
   auto json = bounded_json::parse<nlohmann::ordered_json>(file);
   return json.is_discarded() ? nullptr : json;
 }
@@ -216,7 +192,6 @@ bool RunDirectory::hasEnded(const std::filesystem::path& path) {
 
 Status RunDirectory::mayTake(const fs::path& path, bool replace) {
   if (Status own = refuseRunPlaces(path, "--out"); !own.isOk()) return own;
-  if (Status length = refuseLongPath(path); !length.isOk()) return length;
   std::error_code error;
   if (!fs::exists(path, error)) return Status::ok();
   if (!fs::is_directory(path, error)) {
@@ -226,10 +201,7 @@ Status RunDirectory::mayTake(const fs::path& path, bool replace) {
   return mayReplace(path, replace);
 }
 
-Status RunDirectory::removeDerived() const {
-  std::vector<fs::path> kept;
-  return removeDerivedFiles(path_, kept);
-}
+Status RunDirectory::removeDerived() const { return removeDerivedFiles(path_); }
 
 std::string RunDirectory::runFileText(nlohmann::ordered_json provenance, RunState state) {
   provenance["status"] = enumName(state);
@@ -238,12 +210,21 @@ std::string RunDirectory::runFileText(nlohmann::ordered_json provenance, RunStat
 
 Status RunDirectory::writeRunFile(const nlohmann::ordered_json& provenance, RunState state) const {
   const std::string text = runFileText(provenance, state);
-  spare_ = FileDescriptor(-1);
-  const Status written =
-      writeAtomicallyAt(lock_, "run.json", std::as_bytes(std::span(text.data(), text.size())),
-                        (path_ / "run.json").string(), Sync::Yes);
-  spare_ = spareDescriptor();
-  return written;
+  return writeAtomicallyAt(lock_, "run.json", std::as_bytes(std::span(text.data(), text.size())),
+                           (path_ / "run.json").string(), Sync::Yes);
+}
+
+std::string runIdOf(const std::filesystem::path& directory) {
+  const auto json = RunDirectory::readRunFile(directory);
+  const auto id = json.find(kRunIdKey);  // end() also if it is not an object
+  return id != json.end() && id->is_string() ? id->get<std::string>() : "";
+}
+
+Status isOfRun(const std::filesystem::path& file, std::string_view id, std::string_view run) {
+  if (run.empty() || id == run) return Status::ok();
+  return Status::invalidInput(file.string() +
+                              ": is of another run than the run.json of this run directory; put "
+                              "back the files of one run, or run it again");
 }
 
 }  // namespace tolman::record

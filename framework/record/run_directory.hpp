@@ -59,9 +59,6 @@ class RunDirectory {
   static bool hasEnded(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }  ///< absolute
-  /// Files that create() found in figures/, artefacts/, state/ or session-N/ and kept, because
-  /// Tolman did not write them; relative to path().
-  const std::vector<std::filesystem::path>& kept() const { return kept_; }
   /// Fails if the folder was moved, removed or replaced: path() may then be another run.
   Status stillInPlace() const;
 
@@ -81,9 +78,17 @@ class RunDirectory {
 
   std::filesystem::path path_;
   FileDescriptor lock_;
-  /// Open only so that run.json can be written where no further file can be opened.
-  mutable FileDescriptor spare_{-1};
-  std::vector<std::filesystem::path> kept_;
 };
+
+/// The key of the run's id in run.json, and in table `run` of run.sqlite.
+inline constexpr const char* kRunIdKey = "id";
+
+/// The id that run.json there has. Empty where it has none, as in runs of older
+/// versions, or where run.json is missing or damaged.
+std::string runIdOf(const std::filesystem::path& directory);
+
+/// InvalidInput, naming both files, if `file` in a run directory with the id `run` has another id.
+/// An empty `run` allows any.
+Status isOfRun(const std::filesystem::path& file, std::string_view id, std::string_view run);
 
 }  // namespace tolman::record

@@ -1,23 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
 #include "config/values.hpp"
-#include "record/row_sums.hpp"
+#include "record/digest.hpp"
 #include "record/run_directory.hpp"
-#include "record/run_id.hpp"
-#include "record/schema_check.hpp"
 
 namespace tolman::record {
 namespace {
 
-/// The counts of rows are the last that a run records, and only then its run.json says that it has
-/// ended. So without them the end of the record is missing.
-Status endIsThere(const std::filesystem::path& file, bool has_counts) {
-  if (has_counts || !RunDirectory::hasEnded(file.parent_path())) return Status::ok();
-  return Status::invalidInput(
-      file.string() +
-      ": lacks the end of the run, which has ended by run.json; if run.sqlite-wal was not copied "
-      "with it, put it beside it, or run it again");
+/// BadRow where ids are not 0, 1, 2, ... without gaps.
+template <Record R>
+std::vector<R> rowsById(const Database& database) {
+  std::vector<R> rows;
+  forEachRow<R>(database, "", [&](const R& row) {
+    if (row.id != static_cast<std::int64_t>(rows.size())) {
+      throw BadRow(std::string(R::kRecord) + " " + std::to_string(rows.size()) + " is missing");
+    }
+    rows.push_back(row);
+  });
+  return rows;
+}
+
+using Revisions = std::unordered_map<std::int64_t, Eigen::Isometry3d>;
+
+Revisions lastRevisions(const Database& database) {
+  Revisions revisions;
+  forEachRow<MotionRevision>(database, "", [&](const MotionRevision& revision) {
+    revisions[revision.frame] = revision.T_previous_current;
+  });
+  return revisions;
+}
+
+/// Frames whose odometry was lost or initialising. The last frame before the first tracked one of a
+/// session, whatever its state, is the session's origin and counts as tracked: the first tracked
+/// motion begins there. Before later ones the pose is unknown.
+std::set<std::int64_t> untrackedFrames(const Database& database) {
+  std::set<std::int64_t> beginnings;
+  forEachRow<RecordedSession>(
+      database, "", [&](const RecordedSession& row) { beginnings.insert(row.first_frame); });
+  std::set<std::int64_t> frames;
+  std::int64_t origin = -1;
+  bool has_tracked = false;
+  Statement rows(database, "SELECT \"frame\", \"state\" FROM \"motion\" ORDER BY \"frame\"");
+  while (rows.step()) {
+    const std::int64_t frame = rows.next().getInt64();
+    const std::string state = rows.next().getString();
+    if (beginnings.contains(frame)) {
+      has_tracked = false;
+      origin = -1;
+    }
+    if (state == enumName(TrackingState::Tracking)) {
+      frames.erase(std::exchange(origin, -1));
+      has_tracked = true;
+    } else {
+      frames.insert(frame);
+      origin = has_tracked ? -1 : frame;
+    }
+  }
+  return frames;
+}
+
+/// The single number that a query returns.
+std::int64_t integerOf(const Database& database, const std::string& query) {
+  Statement row(database, query);
+  row.step();
+  return row.next().getInt64();
+}
+
+std::int64_t count(const Database& database, const std::string& table_and_condition) {
+  return integerOf(database, "SELECT count(*) FROM " + table_and_condition);
 }
 
 }  // namespace
@@ -32,70 +88,31 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
                         "is no run directory, it holds no run.sqlite; give the folder that a run "
                         "has written"));
   }
-  Result<std::unique_ptr<RunReader>> reader = openAs(directory, file, Access::ReadOnly);
-  if (reader.isOk() || !hasForeignLog(directory, file)) return reader;
-  return Status::invalidInput(
-      file.string() +
-      ": is whole, but the run.sqlite-wal beside it is of another state of it, such as a copy that "
-      "was made during the run; remove run.sqlite-wal and run.sqlite-shm");
-}
-
-Result<std::unique_ptr<RunReader>> RunReader::openAs(const std::filesystem::path& directory,
-                                                     const std::filesystem::path& file,
-                                                     Access access) {
+  if (Status status = verify(directory); !status.isOk()) return status;
   std::unique_ptr<RunReader> reader;
-  std::string id;
-  const Status status = guarded(file.string(), [&] {
-    reader.reset(new RunReader(directory, file, access));
-    id = reader->entry(kRunIdKey);
-  });
+  const Status status =
+      guarded(file.string(), [&] { reader.reset(new RunReader(directory, file)); });
   if (!status.isOk()) return Status::invalidInput(status.message());
-  Status of_run = isOfRun(file, id, runIdOf(directory));
-  if (of_run.isOk()) of_run = endIsThere(file, reader->hasEnd());
-  if (!of_run.isOk()) return of_run;
   return reader;
 }
 
-bool RunReader::hasForeignLog(const std::filesystem::path& directory,
-                              const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file.string() + "-wal", ignored)) return false;
+bool canBeReplayed(const std::filesystem::path& directory) {
   if (!RunDirectory::hasEnded(directory)) return false;
-  const auto alone = openAs(directory, file, Access::WithoutLog);
-  return alone.isOk() && alone.value()->hasEnd();
+  const auto reader = RunReader::open(directory);
+  return reader.isOk() && reader.value()->database().tableExists(ExactPoses::kRecord);
 }
 
-RunReader::RunReader(std::filesystem::path directory, const std::filesystem::path& file,
-                     Access access)
+RunReader::RunReader(std::filesystem::path directory, const std::filesystem::path& file)
     : directory_(std::move(directory)),
       name_(file.string()),
-      database_(openDatabase(file, access)) {
+      database_(openDatabase(file, Access::ReadOnly)) {
   database_.exec("BEGIN");  // all reads see one state
-  checkVersion();
-  requireOwnTables(database_);
-  const std::string counts = entry(kRowCountsKey);
-  if (!counts.empty() && counts != rowCounts(database_)) {
-    throw BadRow("has other numbers of rows than when the run ended: rows were removed or added");
-  }
-  requireRowsOfFrames(database_);
-  if (!counts.empty()) return;  // digests of its files tell of a run that ended
-  requireRowSums(database_);
-  rows_were_compared_ = true;
-}
-
-void RunReader::checkVersion() const {
   if (!database_.tableExists("run")) throw BadRow("is no run database; it has no table `run`");
-  const std::string version = entry("schema_version");
+  const std::string version = entryOf(database_, "schema_version");
   if (version == std::to_string(kSchemaVersion)) return;
   throw BadRow("has schema version " + (version.empty() ? "none" : version) +
                ", this program reads " + std::to_string(kSchemaVersion) +
                "; run again to record it anew");
-}
-
-std::string RunReader::entry(const std::string& key) const {
-  Statement row(database_, "SELECT \"value\" FROM \"run\" WHERE \"key\" = ?");
-  row.bindNext(key);
-  return row.step() ? row.next().getString() : "";
 }
 
 Result<std::vector<ArrayInfo>> RunReader::arrayInfos() const {
@@ -126,6 +143,150 @@ Result<std::map<std::string, std::vector<std::int64_t>>> RunReader::timing() con
       durations[row.stage].push_back(row.duration_ns);
     });
     return durations;
+  });
+}
+
+const Result<evaluation::Trajectory>& RunReader::odometry() const {
+  return once(odometry_, [&] {
+    evaluation::Trajectory poses;
+    std::set<std::int64_t> beginnings;
+    forEachRow<RecordedSession>(
+        database_, "", [&](const RecordedSession& row) { beginnings.insert(row.first_frame); });
+    const Revisions revisions = lastRevisions(database_);
+    const std::set<std::int64_t> untracked = untrackedFrames(database_);
+    Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+    forEachRow<Motion>(database_, "", [&](const Motion& motion) {
+      const auto revised = revisions.find(motion.frame);
+      const Eigen::Isometry3d& T_previous_current =
+          revised != revisions.end() ? revised->second : motion.T_previous_current;
+      if (beginnings.contains(motion.frame)) {
+        T_world_camera.setIdentity();
+      } else if (!poses.empty()) {
+        T_world_camera = normalised(T_world_camera * T_previous_current);
+      }
+      poses.push_back(
+          {motion.frame, motion.stamp_ns, T_world_camera, !untracked.contains(motion.frame)});
+    });
+    return poses;
+  });
+}
+
+const Result<evaluation::Trajectory>& RunReader::map() const {
+  return once(map_, [&] {
+    evaluation::Trajectory poses;
+    const auto experiences = rowsById<Experience>(database_);
+    const auto known = static_cast<std::int64_t>(experiences.size());
+    std::unordered_map<std::int64_t, Eigen::Isometry3d> settled;
+    const std::set<std::int64_t> untracked = untrackedFrames(database_);
+    forEachRow<FinalPose>(database_, "",
+                          [&](const FinalPose& row) { settled[row.frame] = row.T_world_camera; });
+    forEachRow<MapUpdate>(database_, "", [&](const MapUpdate& update) {
+      Eigen::Isometry3d T_world_camera = update.T_world_camera;
+      if (const auto final_pose = settled.find(update.frame); final_pose != settled.end()) {
+        T_world_camera = final_pose->second;
+      } else if (update.experience >= 0 && update.experience < known) {
+        const auto& experience = experiences[static_cast<std::size_t>(update.experience)];
+        T_world_camera = experience.T_world_experience * update.T_experience_camera;
+      }
+      poses.push_back(
+          {update.frame, update.stamp_ns, T_world_camera, !untracked.contains(update.frame)});
+    });
+    return poses;
+  });
+}
+
+Result<std::vector<RecordedSession>> RunReader::sessions() const {
+  return records<RecordedSession>();
+}
+
+Result<std::int64_t> RunReader::nextFrame() const {
+  return answered(name_, [&] {
+    return integerOf(database_, "SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"") + 1;
+  });
+}
+
+Result<std::int64_t> RunReader::lastGivenFrame() const {
+  return answered(name_, [&] {  // realtime reports a dropped frame by an event
+    return integerOf(
+        database_,
+        "SELECT max(coalesce((SELECT max(\"frame\") FROM \"frame\"), -1), coalesce((SELECT "
+        "max(\"frame\") FROM \"event\" WHERE \"source\" = 'pipeline' AND \"message\" LIKE "
+        "'frame dropped%'), -1))");
+  });
+}
+
+Result<std::int64_t> RunReader::newestExperience() const {
+  return answered(name_, [&] {
+    return integerOf(database_,
+                     "SELECT coalesce((SELECT \"experience\" FROM \"map_update\" ORDER BY "
+                     "\"frame\" DESC LIMIT 1), -1)");
+  });
+}
+
+Result<evaluation::Trajectory> RunReader::truth() const {
+  return answered(name_, [&] {
+    evaluation::Trajectory poses;
+    forEachRow<Frame>(database_, "WHERE \"has_truth\" <> 0", [&](const Frame& frame) {
+      poses.push_back({frame.frame, frame.stamp_ns, frame.T_world_camera_truth});
+    });
+    return poses;
+  });
+}
+
+const Result<MapGraph>& RunReader::graph() const {
+  return once(graph_, [&] {
+    MapGraph graph;
+    graph.experiences = rowsById<Experience>(database_);
+    const auto count = static_cast<std::int64_t>(graph.experiences.size());
+    for (const RecordedLink& link : rowsById<RecordedLink>(database_)) {
+      if (std::min(link.from, link.to) < 0 || std::max(link.from, link.to) >= count) {
+        throw BadRow("link " + std::to_string(link.id) + " ends at no experience");
+      }
+      if (!(link.duration >= 0)) {
+        throw BadRow("link " + std::to_string(link.id) + " has a duration below 0");
+      }
+      graph.links.push_back(link);
+      if (link.rejected) graph.rejected.push_back(link.id);
+    }
+    graph.version =
+        integerOf(database_, "SELECT coalesce(max(\"version\"), 0) FROM \"map_update\"");
+    return graph;
+  });
+}
+
+Result<bool> RunReader::scaleKnown() const {
+  return answered(name_, [&] {
+    Statement last(database_, "SELECT \"scale_known\" FROM \"motion\" ORDER BY rowid DESC LIMIT 1");
+    return !last.step() || last.next().getInt64() != 0;
+  });
+}
+
+Result<std::optional<TrackedScale>> RunReader::lastScale(std::int64_t end) const {
+  return answered(name_, [&]() -> std::optional<TrackedScale> {
+    Statement last(database_,
+                   "SELECT \"frame\", \"scale_known\" FROM \"motion\" WHERE \"frame\" < ? AND "
+                   "\"state\" = 'tracking' ORDER BY \"frame\" DESC LIMIT 1");
+    last.bindNext(end);
+    if (!last.step()) return std::nullopt;
+    const std::int64_t frame = last.next().getInt64();
+    return TrackedScale{frame, last.next().getInt64() != 0};
+  });
+}
+
+Result<bool> RunReader::mixesScales(std::int64_t first) const {
+  return answered(name_, [&] {
+    return integerOf(database_,
+                     "SELECT count(DISTINCT \"scale_known\" <> 0) FROM \"motion\" WHERE "
+                     "\"state\" = 'tracking' AND \"frame\" >= " +
+                         std::to_string(first)) > 1;
+  });
+}
+
+Result<RunTotals> RunReader::totals() const {
+  return answered(name_, [&] {
+    return RunTotals{count(database_, "\"frame\""),
+                     count(database_, "\"place\" WHERE \"recognition\" = 'novel'"),
+                     count(database_, "\"decision\" WHERE \"action\" = 'close_loop'")};
   });
 }
 

@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/record_rows.hpp"
 #include "evaluation/trajectory.hpp"
-#include "record/rows.hpp"
-#include "record/store.hpp"
 
 namespace tolman::record {
 
@@ -29,8 +28,8 @@ struct TrackedScale {
 };
 
 /// Reads the record as it was when it was opened, even if the run continues; trajectories and graph
-/// are therefore computed once and cached. Not thread-safe. A damaged database causes a failure,
-/// never rows of a wrong shape.
+/// are therefore computed once and cached. Not thread-safe. open() refuses a
+/// record that is not what the run wrote: see verify() (digest.hpp).
 class RunReader {
  public:
   static Result<std::unique_ptr<RunReader>> open(const std::filesystem::path& directory);
@@ -83,24 +82,10 @@ class RunReader {
   Result<std::map<std::string, std::vector<std::int64_t>>> timing() const;
 
   const std::filesystem::path& directory() const { return directory_; }
-  /// Whether open() compared all rows with the sums of the record: for unfinished runs.
-  bool rowsWereCompared() const { return rows_were_compared_; }
-  /// Whether the run had ended, and its record grows no more.
-  bool hasEnd() const { return !rows_were_compared_; }
   const Database& database() const { return database_; }
 
  private:
-  RunReader(std::filesystem::path directory, const std::filesystem::path& file, Access access);
-  static Result<std::unique_ptr<RunReader>> openAs(const std::filesystem::path& directory,
-                                                   const std::filesystem::path& file,
-                                                   Access access);
-  /// Whether the run has ended and its file is whole without the log beside it, which therefore is
-  /// not its own.
-  static bool hasForeignLog(const std::filesystem::path& directory,
-                            const std::filesystem::path& file);
-  void checkVersion() const;
-  /// A value of table `run`; empty where it has none.
-  std::string entry(const std::string& key) const;
+  RunReader(std::filesystem::path directory, const std::filesystem::path& file);
   template <class T, class Work>
   const Result<T>& once(std::optional<Result<T>>& kept, Work&& work) const {
     if (!kept) kept = answered(name_, work);
@@ -110,10 +95,12 @@ class RunReader {
   std::filesystem::path directory_;
   std::string name_;  // of the file, for messages
   Database database_;
-  bool rows_were_compared_ = false;
   mutable std::optional<Result<evaluation::Trajectory>> odometry_;
   mutable std::optional<Result<evaluation::Trajectory>> map_;
   mutable std::optional<Result<MapGraph>> graph_;
 };
+
+/// Whether the run there has ended and was recorded so that its front end can be replayed.
+bool canBeReplayed(const std::filesystem::path& directory);
 
 }  // namespace tolman::record

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/schema.hpp"
 
-#include "record/rows.hpp"
+#include <fmt/format.h>
 
 namespace tolman::record {
 namespace {
@@ -36,6 +36,37 @@ Table announcedTable(std::string doc) {
   return announced;
 }
 
+/// SQL for columns x, y (m) and heading (rad) of the pose `pose`, as in toPlanar().
+std::string planar(const std::string& pose) {
+  return fmt::format(
+      R"("{0}_z" AS x, -"{0}_x" AS y, atan2(-2 * ("{0}_qx" * "{0}_qz" + "{0}_qw" * "{0}_qy"), )"
+      R"(1 - 2 * ("{0}_qx" * "{0}_qx" + "{0}_qy" * "{0}_qy")) AS heading)",
+      pose);
+}
+
+const char* const kIntroduction =
+    "# Tables of run.sqlite\n\n"
+    "Generated from the field lists of the records; do not edit. Schema version ";
+
+const char* const kConventions =
+    ".\n\n"
+    "Poses are seven columns, position `_x _y _z` and unit quaternion `_qx _qy _qz _qw` with\n"
+    "`_qw >= 0`; `T_a_b` takes points of b to a. Matrices and arrays are little-endian, row-major\n"
+    "blobs. Booleans are 0 or 1. Records of one frame are joined by `frame`.\n\n"
+    "Names of columns that are words of SQL must be quoted: `SELECT \"from\", \"to\" FROM link`.\n"
+    "Views for queries by hand need no quotes; records of earlier versions do not have them, and\n"
+    "headings need an SQLite with mathematical functions:\n\n";
+
+std::string tableMarkdown(const Table& table) {
+  std::string text = "\n## " + table.name + "\n\n" + table.doc + "\n\n";
+  text += "| column | type | unit | meaning |\n|---|---|---|---|\n";
+  for (const Column& column : table.columns) {
+    text += "| `" + column.name + "` | " + column.type + " | " + column.unit + " | " + column.doc +
+            " |\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 Column announcedAt() {
@@ -46,8 +77,8 @@ Column announcedAt() {
 std::vector<Table> schema() {
   return {
       {"run",
-       "properties of the run: schema_version, name, the id that run.json has too, sums over the "
-       "rows at the last commit (row_sums), and, when it has ended, how many rows the tables have",
+       "properties of the run: schema_version, name, the id that run.json has too; with "
+       "`record.replay` also how many of array_info, from the first, are the source's (sensors)",
        {{"key", "TEXT", "", "name"}, {"value", "TEXT", "", "value"}},
        primaryKey("key")},
       table<RecordedSession>("the runs whose frames are recorded here, this one the last",
@@ -70,17 +101,15 @@ std::vector<Table> schema() {
                               reference("to", "experience", "id") + frameReference()),
       table<RecordedArrayInfo>("descriptions of the named arrays, constant over a run", ""),
       table<RecordedArray>("named arrays of a frame: its sensors, and the state of the cells",
-                           ", PRIMARY KEY (\"frame\", \"source\", \"name\")" + frameReference()),
+                           frameReference()),
+      table<ExactPoses>(
+          "poses bit for bit, which the quaternions are not; the table exists only with "
+          "`record.replay`",
+          ", PRIMARY KEY (\"frame\", \"of\")"),
       table<RecordedTiming>("computing time of each stage and frame", ""),
       table<RecordedEvent>("warnings, errors and notes", ""),
       table<RecordedFinding>("what the stages found in their data", ""),
   };
-}
-
-std::string columnList(const Columns& columns) {
-  std::string sql;
-  for (const Column& column : columns) sql += (sql.empty() ? "\"" : ", \"") + column.name + "\"";
-  return sql;
 }
 
 std::string createSql(const Table& table) {
@@ -96,6 +125,50 @@ std::string insertSql(const std::string& table, const Columns& columns) {
   std::string marks;
   for (std::size_t i = 0; i < columns.size(); ++i) marks += i == 0 ? "?" : ", ?";
   return "INSERT INTO \"" + table + "\" (" + columnList(columns) + ") VALUES (" + marks + ")";
+}
+
+std::string upsertSql(const std::string& table, const Columns& columns) {
+  std::string sql = insertSql(table, columns) + " ON CONFLICT (\"id\") DO UPDATE SET ";
+  const char* separator = "";
+  for (const Column& column : columns) {
+    // Setting the key, even to the same value, makes SQLite look for child rows, which scans all
+    // links for each row.
+    if (column.name == "id") continue;
+    const std::string quoted = "\"" + column.name + "\"";
+    sql.append(separator).append(quoted).append(" = excluded.").append(quoted);
+    separator = ", ";
+  }
+  return sql;
+}
+
+std::vector<SqlView> views() {
+  return {
+      {"path",
+       "`frame`, `stamp_ns`, `x` (forward, m), `y` (left, m), `heading` (rad) of the finished map",
+       "SELECT frame, stamp_ns, " + planar("T_world_camera") +
+           " FROM final_pose JOIN frame USING (frame)"},
+      {"true_path", "the same of the true poses",
+       "SELECT frame, stamp_ns, " + planar("T_world_camera_truth") + " FROM frame WHERE has_truth"},
+      {"map_link",
+       "`id`, `from_experience`, `to_experience`, `kind`, `frame`, `x`, `y`, `heading`, "
+       "`duration`, "
+       "`weight`, `rejected`",
+       R"(SELECT id, "from" AS from_experience, "to" AS to_experience, kind, frame, )" +
+           planar("T_from_to") + ", duration, weight, rejected FROM link"},
+      {"array_data", "`frame`, `source`, `name`, `shape`, `data` (`values` of `array`)",
+       R"(SELECT frame, source, name, shape, "values" AS data FROM "array")"},
+  };
+}
+
+std::string createSql(const SqlView& view) {
+  return "CREATE VIEW " + view.name + " AS " + view.select;
+}
+
+std::string recordsMarkdown() {
+  std::string text = kIntroduction + std::to_string(kSchemaVersion) + kConventions;
+  for (const SqlView& view : views()) text += "- `" + view.name + "`: " + view.doc + "\n";
+  for (const Table& table : schema()) text += tableMarkdown(table);
+  return text;
 }
 
 }  // namespace tolman::record

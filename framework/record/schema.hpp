@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tables of run.sqlite: one per kind of record, generated from its field list, and a few that
-// hold no records. All are STRICT; columns are NOT NULL where nothing else is said.
+// hold no records. All are STRICT; columns are NOT NULL where nothing else is said. Views for
+// queries by hand have poses in the plane, and no column names that are words of SQL.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "record/columns.hpp"
-#include "tolman/records.hpp"
+#include "base/record_rows.hpp"
 
 namespace tolman::record {
-
-inline constexpr std::int64_t kSchemaVersion = 5;
 
 struct Table {
   std::string name;
@@ -25,13 +23,26 @@ std::vector<Table> schema();
 
 std::string createSql(const Table& table);
 
-/// `"a", "b"`: quoted, because link.from and link.to are words of SQL.
-std::string columnList(const Columns& columns);
-
 /// INSERT for `columns` with one `?` each.
 std::string insertSql(const std::string& table, const Columns& columns);
 
+/// The same, and all columns are replaced where the table has a row of this id.
+std::string upsertSql(const std::string& table, const Columns& columns);
+
 /// The column of a table of nested records that holds the frame of the enclosing record.
 Column announcedAt();
+
+struct SqlView {
+  std::string name;
+  std::string doc;
+  std::string select;
+};
+
+std::vector<SqlView> views();
+
+std::string createSql(const SqlView& view);
+
+/// The reference page, Markdown: every table, column, type, unit and meaning.
+std::string recordsMarkdown();
 
 }  // namespace tolman::record

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes records to tables and reads them, nested lists included. Throws on errors. The caller
-// manages transactions.
+// Writes records to tables, nested lists included. Throws on errors. The caller manages
+// transactions.
 #pragma once
 
 #include <map>
@@ -11,11 +11,6 @@
 #include "record/schema.hpp"
 
 namespace tolman::record {
-
-template <class T>
-inline constexpr bool kIsRecordList = false;
-template <Record R>
-inline constexpr bool kIsRecordList<std::vector<R>> = true;
 
 /// Prepares each statement once.
 class StoreWriter {
@@ -53,7 +48,15 @@ class StoreWriter {
   }
 
   void insertArrays(std::int64_t frame, std::string_view source,
-                    const std::vector<NamedArray>& arrays);
+                    const std::vector<NamedArray>& arrays) {
+    for (const NamedArray& array : arrays) {
+      std::string shape;
+      for (const int side : array.shape) shape += (shape.empty() ? "" : "x") + std::to_string(side);
+      const auto size = static_cast<Eigen::Index>(array.values.size());
+      insert(RecordedArray{frame, std::string(source), array.name, shape,
+                           Eigen::Map<const Eigen::RowVectorXf>(array.values.data(), size)});
+    }
+  }
 
  private:
   template <Record R>
@@ -76,50 +79,9 @@ class StoreWriter {
     if (found != statements_.end()) return found->second;
     return statements_.emplace(table, Statement(database_, make_sql())).first->second;
   }
-  static std::string upsertSql(const std::string& table, const Columns& columns);
 
   Database& database_;
   std::map<std::string, Statement, std::less<>> statements_;
 };
-
-struct RecordedArray;
-/// The array of a row. Throws BadRow if the shape does not fit the values.
-NamedArray arrayOf(const RecordedArray& row);
-/// The arrays of a frame, by name.
-std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
-                                   std::string_view source);
-
-template <Record R>
-void readLists(const Database& database, R& record);
-
-/// Calls visit(const R&) for each row, with nested lists filled, in the order of rowid: that of the
-/// key if it is one integer (frame, id), otherwise the order of insertion.
-template <Record R, class Visit>
-void forEachRow(const Database& database, const std::string& condition, Visit&& visit) {
-  Statement rows(database, "SELECT " + columnList(columnsOf<R>()) + " FROM \"" + R::kRecord +
-                               "\" " + condition + " ORDER BY rowid");
-  while (rows.step()) {
-    R record;
-    Codec<R>::read(rows, record);
-    readLists(database, record);
-    visit(record);
-  }
-}
-
-template <Record R>
-void readLists(const Database& database, R& record) {
-  if constexpr (requires { record.frame; }) {  // only records with a frame have lists
-    visitFields(record, [&]([[maybe_unused]] const Field& field, auto& value) {
-      using T = std::remove_cvref_t<decltype(value)>;
-      if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
-        value = readArrays(database, record.frame, field.name);
-      } else if constexpr (kIsRecordList<T>) {
-        const std::string announced = "WHERE \"announced_at\" = " + std::to_string(record.frame);
-        forEachRow<typename T::value_type>(database, announced,
-                                           [&](const auto& item) { value.push_back(item); });
-      }
-    });
-  }
-}
 
 }  // namespace tolman::record

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "record/by_hand.hpp"
-#include "record/sha256.hpp"
+#include "record/digest.hpp"
 #include "support/data.hpp"
 
 namespace fs = std::filesystem;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "record/data_files.hpp"
-
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 
 #include "record/by_hand.hpp"
+#include "record/data_digest.hpp"
 #include "support/data.hpp"
 
 namespace fs = std::filesystem;
@@ -32,15 +31,15 @@ TEST_CASE("files are listed by name, relative to the folder that was given") {
   CHECK(namesOf(dataFiles(folder.path() / "times.txt")) == std::vector<std::string>{""});
 }
 
-TEST_CASE("runs beside the data are no data, a run that is named gives its answers and state") {
+TEST_CASE("runs beside the data are no data, a run that is named gives its record and state") {
   const test::TemporaryFolder folder;
   test::writeFile(folder.path() / "times.txt", "0\n");
   const fs::path run = folder.path() / "runs/kitti";
-  for (const char* file : {"run.json", "run.sqlite", "answers.bin", "state/map.bin"}) {
+  for (const char* file : {"run.json", "run.sqlite", "state/map.bin"}) {
     test::writeFile(run / file, "x");
   }
   CHECK(namesOf(dataFiles(folder.path())) == std::vector<std::string>{"times.txt"});
-  CHECK(namesOf(dataFiles(run)) == std::vector<std::string>{"answers.bin", "state/map.bin"});
+  CHECK(namesOf(dataFiles(run)) == std::vector<std::string>{"run.sqlite", "state/map.bin"});
 }
 
 TEST_CASE("a changed, replaced or removed file is found, new ones are no change") {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The experience map as a g2o file, for other optimisers.
-#include "record/g2o_file.hpp"
-
 #include <map>
 
 #include "record/by_hand.hpp"
+#include "record/map_file.hpp"
 #include "record/sample_run.hpp"
 
 using namespace tolman;

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <utility>
 
 #include "record/run_reader.hpp"
 #include "record/sample_run.hpp"
@@ -48,7 +49,9 @@ TEST_CASE("a whole snapshot is stored and read back, lists included") {
   REQUIRE(motions.size() == 2);
   REQUIRE(motions[1].revisions.size() == 2);
   CHECK(motions[1].revisions[1].frame == 1);
-  CHECK(readArrays(reader->database(), 1, "cells").at(0).values == std::vector<float>{1, 2, 3});
+  std::vector<NamedArray> read;
+  REQUIRE(reader->visitCellArrays([&](std::int64_t, NamedArray a) { read.push_back(a); }).isOk());
+  CHECK(read.at(0).values == std::vector<float>{1, 2, 3});
 }
 
 TEST_CASE("points are stored once for each frame that they belong to") {
@@ -112,28 +115,23 @@ TEST_CASE("links that the map removes leave the table") {
   CHECK(read.links[0].frame == 2);
 }
 
-TEST_CASE("a row that breaks a rule fails its call alone") {
+TEST_CASE("a row that breaks a rule ends the record at the last commit") {
   const test::TemporaryFolder folder;
-  auto recorder = Recorder::open(folder.path()).value();
-  REQUIRE(test::recordFrame(*recorder, 0).isOk());
-  const Status twice = test::recordFrame(*recorder, 0);
-  CHECK(twice.message() ==
-        (folder.path() / "run.sqlite").string() + ": UNIQUE constraint failed: frame.frame");
-  const MapGraph orphan{1, {test::experienceAt(0, 0, 0)}, {test::linkBetween(0, 0, 7, 0)}, {}};
-  CHECK(recorder->graph(orphan).message() ==
-        (folder.path() / "run.sqlite").string() + ": FOREIGN KEY constraint failed");
+  const std::string file = (folder.path() / "run.sqlite").string();
+  {
+    auto recorder = Recorder::open(folder.path()).value();
+    REQUIRE(test::recordFrame(*recorder, 0).isOk());
+    REQUIRE(recorder->commit().isOk());
+    CHECK(test::recordFrame(*recorder, 0).message() ==
+          file + ": UNIQUE constraint failed: frame.frame");
+    CHECK_FALSE(test::recordFrame(*recorder, 1).isOk());
+    CHECK_FALSE(recorder->close().isOk());
+  }
+  CHECK(RunReader::open(folder.path()).value()->totals().value().frames == 1);
+  auto recorder = Recorder::reopen(folder.path(), 1).value();
   CHECK_FALSE(recorder->snapshot(Snapshot{}).isOk());
-  const Frame frame = test::frameAt(1);
-  const Motion of_no_frame = test::motionAt(5);
-  Snapshot snapshot;
-  snapshot.frame = &frame;
-  snapshot.motion = &of_no_frame;
-  CHECK_FALSE(recorder->snapshot(snapshot).isOk());
-  CHECK(test::recordFrame(*recorder, 1).isOk());  // frame 1 was rolled back with its motion
-  REQUIRE(recorder->close().isOk());
-  const auto reader = RunReader::open(folder.path()).value();
-  CHECK(reader->totals().value().frames == 2);
-  CHECK(reader->graph().value().links.empty());
+  const MapGraph orphan{1, {test::experienceAt(0, 0, 0)}, {test::linkBetween(0, 0, 7, 0)}, {}};
+  CHECK(recorder->graph(orphan).message() == file + ": FOREIGN KEY constraint failed");
 }
 
 TEST_CASE("timing, events and meta values are stored; a closed recorder refuses") {
@@ -150,7 +148,7 @@ TEST_CASE("timing, events and meta values are stored; a closed recorder refuses"
   const auto reader = RunReader::open(folder.path()).value();
   CHECK(reader->timing().value().at("odometry") == std::vector<std::int64_t>{5, 7});
   CHECK(reader->meta().value().at("name") == "two");
-  CHECK(reader->meta().value().at("schema_version") == "5");
+  CHECK(reader->meta().value().at("schema_version") == "6");
   // A closed run is one plain file.
   CHECK_FALSE(std::filesystem::exists(folder.path() / "run.sqlite-wal"));
 }
@@ -229,4 +227,61 @@ TEST_CASE("a full disk is a failure, and all later calls return it") {
   const auto reader = RunReader::open(folder.path());
   REQUIRE(reader.isOk());
   CHECK(reader.value()->totals().value().frames > 100);
+}
+
+TEST_CASE("the automatic step keeps at most 5,000 frames, as if the length had been known") {
+  CHECK(arrayStep(0) == 1);
+  CHECK(arrayStep(kMostArrayFrames - 1) == 1);
+  CHECK(arrayStep(kMostArrayFrames) == 2);
+  CHECK(arrayStep(4 * kMostArrayFrames - 1) == 4);
+  CHECK(arrayStep(499'509) == 128);
+  const test::TemporaryFolder folder;
+  const auto recorded = [&] {
+    const auto reader = RunReader::open(folder.path()).value();
+    std::vector<std::int64_t> frames;
+    REQUIRE(reader
+                ->visitCellArrays(
+                    [&](std::int64_t frame, const NamedArray&) { frames.push_back(frame); })
+                .isOk());
+    return frames;
+  };
+  const std::int64_t end = kMostArrayFrames * 2 + 1000;
+  bool was_interrupted = false;
+  auto recorder = Recorder::open(folder.path()).value();
+  recorder->recordArrays(kAutomatic);
+  for (std::int64_t i = 0; i < end; ++i) {
+    REQUIRE(test::recordFrame(*recorder, i).isOk());
+    if (i != kMostArrayFrames + 500 || std::exchange(was_interrupted, true)) continue;
+    REQUIRE(recorder->commit().isOk());
+    CHECK(std::ssize(recorded()) == kMostArrayFrames);  // 251 were added, and as many removed
+    REQUIRE(recorder->sync().isOk());
+    REQUIRE(recorder->close().isOk());  // as a run that is interrupted, and resumed a bit earlier
+    CHECK(std::ssize(recorded()) == (i + 2) / 2);
+    i -= 100;
+    recorder = Recorder::reopen(folder.path(), i + 1).value();
+    recorder->recordArrays(kAutomatic);
+  }
+  REQUIRE(recorder->close().isOk());
+  const auto frames = recorded();
+  CHECK(frames.size() == static_cast<std::size_t>(end / 4));
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i] != static_cast<std::int64_t>(4 * i)) FAIL("frame " << frames[i]);
+  }
+}
+
+TEST_CASE("arrays are recorded every N frames, or never") {
+  for (const int every : {0, 1, 3}) {
+    const test::TemporaryFolder folder;
+    auto recorder = Recorder::open(folder.path()).value();
+    recorder->recordArrays(every);
+    for (std::int64_t i = 0; i < 7; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+    REQUIRE(recorder->close().isOk());
+    std::string frames;
+    REQUIRE(RunReader::open(folder.path())
+                .value()
+                ->visitCellArrays(
+                    [&](std::int64_t frame, const NamedArray&) { frames += std::to_string(frame); })
+                .isOk());
+    CHECK(frames == (every == 0 ? "" : every == 1 ? "0123456" : "036"));
+  }
 }

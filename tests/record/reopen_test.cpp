@@ -75,6 +75,7 @@ TEST_CASE("recorded up to any frame and opened again at an earlier one, the reco
   const test::TemporaryFolder whole;
   {
     auto recorder = Recorder::open(whole.path()).value();
+    REQUIRE(recorder->recordForReplay(0).isOk());
     REQUIRE(recorder->session({0, 0, "run", "made up"}).isOk());
     begin(*recorder);
     recordFrames(*recorder, 0, kFrames);
@@ -86,6 +87,7 @@ TEST_CASE("recorded up to any frame and opened again at an earlier one, the reco
   const test::TemporaryFolder folder;
   {
     auto recorder = Recorder::open(folder.path()).value();
+    REQUIRE(recorder->recordForReplay(0).isOk());
     REQUIRE(recorder->session({0, 0, "run", "made up"}).isOk());
     begin(*recorder);
     recordFrames(*recorder, 0, reached);

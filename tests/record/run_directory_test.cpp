@@ -86,33 +86,6 @@ TEST_CASE("--out takes new and empty folders, those of a run only by force, and 
   CHECK_FALSE(RunDirectory::create(at(out / "notes.txt")).isOk());
 }
 
-TEST_CASE("a directory whose path is too long for SQLite is refused before it is made") {
-  const test::TemporaryFolder folder;
-  const fs::path top = fs::canonical(folder.path());
-  const auto ofLength = [&](std::size_t bytes) {
-    const fs::path middle = top / std::string(200, 'a') / std::string(150, 'b');
-    return middle / std::string(bytes - middle.native().size() - 1, 'c');
-  };
-  const fs::path longest = ofLength(493);
-  const auto run = RunDirectory::create(at(longest));
-  REQUIRE(run.isOk());
-  REQUIRE(Recorder::open(longest).isOk());
-  const fs::path longer = ofLength(494);
-  for (const Status& refused :
-       {RunDirectory::create(at(longer)).status(), RunDirectory::mayTake(longer, false)}) {
-    CHECK(refused.message() ==
-          longer.string() +
-              ": its path has 494 bytes, and SQLite opens run.sqlite only in a directory whose "
-              "absolute path, without symbolic links, has at most 493; choose a shorter --out");
-  }
-  CHECK_FALSE(fs::exists(longer));
-  fs::create_directory(longer);
-  CHECK_THAT(Recorder::open(longer).status().message(), Catch::Contains("its path has 505 bytes"));
-  RunDirectoryOptions by_name = named(longer.parent_path(), std::string(200, 'n'));
-  CHECK_THAT(RunDirectory::create(by_name).status().message(), Catch::Contains("its path has"));
-  CHECK_FALSE(fs::exists(longer.parent_path() / "runs"));
-}
-
 TEST_CASE("two runs cannot share a folder") {
   const test::TemporaryFolder folder;
   const fs::path out = fs::canonical(folder.path());

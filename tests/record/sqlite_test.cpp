@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The SQLite wrapper: values are read as written, and failures have messages.
-#include "record/sqlite.hpp"
+#include "base/sqlite.hpp"
 
+#include "base/record_columns.hpp"
 #include "record/by_hand.hpp"
-#include "record/columns.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
@@ -36,14 +36,6 @@ TEST_CASE("nothing is written into the folder for temporary files, which can be 
   Statement place(database, "PRAGMA temp_store");
   REQUIRE(place.step());
   CHECK(place.next().getInt64() == 2);  // memory
-}
-
-TEST_CASE("a lack of memory is told as such, not as a fault of the file") {
-  const Status status = guarded("run.sqlite", [] { throw std::bad_alloc(); });
-  CHECK(status.message() == "run.sqlite: out of memory");
-  const auto no_thread = std::make_error_code(std::errc::resource_unavailable_try_again);
-  CHECK(guarded("run.sqlite", [&] { throw std::system_error(no_thread); }).message() ==
-        "run.sqlite: Resource temporarily unavailable (pthread_create has failed)");
 }
 
 TEST_CASE("empty text and an empty matrix are not NULL") {
@@ -104,25 +96,6 @@ TEST_CASE("a reader cannot write, and foreign keys are watched") {
   Database reader = openDatabase(file, Access::ReadOnly);
   CHECK(guarded("file", [&] { reader.exec("INSERT INTO a VALUES (1)"); }).message() ==
         "file: attempt to write a readonly database; check path, permissions and free space");
-}
-
-TEST_CASE("a reader rolls back what a killed writer has left unfinished") {
-  const test::TemporaryFolder folder;
-  Database writer = openDatabase(folder.path() / "a", Access::Create);
-  writer.exec(
-      "PRAGMA cache_size = 2; CREATE TABLE t (i, text);"
-      "WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 500)"
-      "INSERT INTO t SELECT i, hex(zeroblob(1000)) FROM n");
-  writer.exec("BEGIN; UPDATE t SET text = 'new'");  // more than the cache holds: partly in the file
-  for (const char* suffix : {"", "-journal"}) {
-    std::filesystem::copy(folder.path() / (std::string("a") + suffix),
-                          folder.path() / (std::string("killed") + suffix));
-  }
-  Database reader = openDatabase(folder.path() / "killed", Access::ReadOnly);
-  Statement rows(reader, "SELECT count(*), sum(text = 'new') FROM t");
-  REQUIRE(rows.step());
-  CHECK(rows.next().getInt64() == 500);
-  CHECK(rows.next().getInt64() == 0);
 }
 
 TEST_CASE("exceptions become a Status whose code and text name the cause") {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "record/views.hpp"
-
 #include <cmath>
 
 #include "record/by_hand.hpp"
-#include "record/reference.hpp"
 #include "record/sample_run.hpp"
 #include "record/schema.hpp"
 #include "support/data.hpp"

@@ -25,7 +25,6 @@ Status MotionReplay::reset() {
   random_ = RandomStream(seed_);
   last_step_ = {};
   last_stamp_ns_ = 0;
-  reader_.rewind();
   disturbances_.clear();
   return Status::ok();
 }

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "answers_reader.hpp"
+#include "recorded_answers.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::motion_replay {
@@ -97,8 +97,8 @@ class MotionReplay final : public Odometry {
   RandomStream random_{0};
   PlanarPose last_step_;
   std::int64_t last_stamp_ns_ = 0;
-  answers_file::AnswersReader reader_;     ///< of `record`
-  std::vector<Disturbance> disturbances_;  ///< of the replayed frames; empty without any
+  recorded_answers::RecordedAnswers reader_;  ///< of `record`
+  std::vector<Disturbance> disturbances_;     ///< of the replayed frames; empty without any
 };
 
 }  // namespace tolman::motion_replay

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "answers_reader.hpp"
+#include "recorded_answers.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 #include "tolman/state_stream.hpp"
@@ -112,7 +112,7 @@ class PlaceReplay final : public Place, public StateKeeper {
   Parameters parameters_;
   std::uint64_t seed_ = 0;
   Logger* log_ = nullptr;
-  answers_file::AnswersReader reader_;  ///< of `record`
+  recorded_answers::RecordedAnswers reader_;  ///< of `record`
   RandomStream random_{0};
   bool warned_of_lost_ = false;
   std::map<std::int64_t, ReplayedView> views_;  ///< by source index

@@ -15,7 +15,6 @@ Status RecordSource::configure(const Context& context) {
 
 Status RecordSource::reset() {
   next_ = 0;
-  reader_.rewind();
   return ready_;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "answers_reader.hpp"
+#include "recorded_answers.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 
@@ -36,7 +36,7 @@ class RecordSource final : public Source, public ArrayDescriptions {
 
  private:
   std::string path_;
-  answers_file::AnswersReader reader_;
+  recorded_answers::RecordedAnswers reader_;
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Connections and statements of SQLite, on top of SQLiteCpp; values are bound and read from left to
-// right. Before exceptions leave this folder they are converted to a Status with a remedy.
+// right. guarded() converts exceptions to a Status with a remedy.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -11,7 +11,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <type_traits>
 
 #include "tolman/status.hpp"
@@ -26,11 +25,7 @@ class BadRow : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Bytes of an absolute path without symbolic links: SQLite allows 512, and appends `-journal`.
-inline constexpr std::size_t kLongestDatabasePath = 504;
-
-/// WithoutLog: only read, and as if FILE-wal did not exist; no other program may write the file.
-enum class Access : std::uint8_t { Create, Write, ReadOnly, WithoutLog };
+enum class Access : std::uint8_t { Create, Write, ReadOnly };
 /// One connection. Not thread-safe.
 Database openDatabase(const std::filesystem::path& file, Access access);
 
@@ -74,11 +69,6 @@ Status guarded(const std::string& where, Work&& work) {
     return explained(where, error);
   } catch (const std::bad_alloc&) {
     return Status::failed(where + ": out of memory");
-  } catch (const std::system_error& error) {
-    // Of std::thread: no memory for its stack, or too many threads.
-    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
-    return Status::failed(where + ": " + error.what() +
-                          (no_thread ? " (pthread_create has failed)" : ""));
   } catch (const std::exception& error) {
     return Status::failed(where + ": " + error.what());
   }

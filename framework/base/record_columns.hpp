@@ -5,19 +5,18 @@
 // Isometry3d: seven REAL columns _x _y _z _qx _qy _qz _qw (w >= 0). Matrices: one BLOB, row-major,
 // little-endian; the column count of a dynamic one follows from the size. Enumerations: TEXT.
 // Images are not stored. Lists of arrays go to table `array`, lists of records to their own table.
+// A quaternion does not give back all bits of a rotation: see ExactPoses in record_rows.hpp.
 #pragma once
 
 #include <bit>
 #include <concepts>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-#include "config/limits.hpp"
-#include "config/text.hpp"
-#include "record/sqlite.hpp"
+#include "base/named_value.hpp"
+#include "base/sqlite.hpp"
 #include "tolman/fields.hpp"
 
 namespace tolman::record {
@@ -46,18 +45,6 @@ inline Column columnOf(const Field& field, std::string type) {
 template <class T>
 struct Codec;
 
-template <class Stored>
-inline constexpr Stored kMaxNumber = config::kMaxNumber;
-template <>
-inline constexpr std::int64_t kMaxNumber<std::int64_t> = config::kMaxInteger;
-
-/// Throws BadRow if |number| is above `most`, and for NaN.
-template <class Stored>
-void checkNumber(Stored number, Stored most) {
-  if (number >= -most && number <= most) return;
-  throw BadRow("a number is larger than any run has");
-}
-
 template <class T>
 inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
 
@@ -71,9 +58,6 @@ struct Codec<T> {
   static void bind(Statement& row, T value) { row.bindNext(static_cast<Stored>(value)); }
   static void read(Statement& row, T& value) {
     const Stored stored = row.next();
-    checkNumber(stored, std::is_integral_v<T> && sizeof(T) < sizeof(Stored)
-                            ? static_cast<Stored>(std::numeric_limits<T>::max())
-                            : kMaxNumber<Stored>);
     value = static_cast<T>(stored);
   }
 };
@@ -91,9 +75,8 @@ struct Codec<T> {
   static void bind(Statement& row, T value) { row.bindNext(std::string(enumName(value))); }
   static void read(Statement& row, T& value) {
     const std::string name = row.next().getString();
-    const std::optional<T> known = config::valueNamed<T>(name);
-    if (!known)
-      throw BadRow("'" + name.substr(0, 24) + "' is none of the values that this column has");
+    const std::optional<T> known = valueNamed<T>(name);
+    if (!known) throw BadRow("'" + name + "' is none of the values that this column has");
     value = *known;
   }
 };
@@ -114,13 +97,8 @@ struct Codec<Eigen::Isometry3d> {
   }
   static void read(Statement& row, Eigen::Isometry3d& T) {
     Eigen::Quaterniond q;
-    for (int i = 0; i < 3; ++i) {
-      T.translation()[i] = row.next().getDouble();
-      checkNumber(T.translation()[i], config::kFarthest);
-    }
+    for (int i = 0; i < 3; ++i) T.translation()[i] = row.next().getDouble();
     for (int i = 0; i < 4; ++i) q.coeffs()[i] = row.next().getDouble();
-    constexpr double kError = 1e-3;  // much larger than the effect of config::kRotationError
-    if (!(std::abs(q.norm() - 1) < kError)) throw BadRow("a quaternion is not of unit length");
     T.linear() = q.normalized().toRotationMatrix();
   }
 };
@@ -156,10 +134,6 @@ struct Codec<T> {
     const auto* values = reinterpret_cast<const Scalar*>(bytes.data());
     matrix.template reshaped<Eigen::RowMajor>() =
         Eigen::Map<const Eigen::VectorX<Scalar>>(values, matrix.size());
-    // Arrays of plugins may contain any values. Other matrices were finite when recorded.
-    if (kColumns != Eigen::Dynamic && !matrix.allFinite()) {
-      throw BadRow("a matrix has numbers that are not finite");
-    }
   }
 };
 
@@ -204,5 +178,8 @@ Columns columnsOf() {
   Codec<R>::describe({}, columns);
   return columns;
 }
+
+/// `"a", "b"`: quoted, because link.from and link.to are words of SQL.
+std::string columnList(const Columns& columns);
 
 }  // namespace tolman::record
