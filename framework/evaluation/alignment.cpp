@@ -12,16 +12,6 @@ namespace {
 // Singular values below this share of the largest are rounding errors.
 constexpr double kRankTolerance = 1e-10;
 
-using Points = Eigen::Matrix3Xd;
-
-Points positions(const Trajectory& trajectory) {
-  Points points(3, static_cast<Eigen::Index>(trajectory.size()));
-  for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    points.col(static_cast<Eigen::Index>(i)) = trajectory[i].T_world_camera.translation();
-  }
-  return points;
-}
-
 /// Rotation between the orientations of the first pair, used where the positions do not move.
 Eigen::Matrix3d firstRotation(const Matches& matches) {
   return matches.truth.front().T_world_camera.linear() *
@@ -84,11 +74,11 @@ Eigen::Isometry3d Similarity::apply(const Eigen::Isometry3d& T_world_camera) con
 Result<Similarity> align(const Matches& matches, Alignment alignment) {
   Similarity similarity;
   if (alignment == Alignment::None) return similarity;
-  const Points truth = positions(matches.truth);
-  const Points estimate = positions(matches.estimate);
+  const Eigen::Matrix3Xd truth = positions(matches.truth);
+  const Eigen::Matrix3Xd estimate = positions(matches.estimate);
   const Eigen::Vector3d truth_mean = truth.rowwise().mean();
   const Eigen::Vector3d estimate_mean = estimate.rowwise().mean();
-  const Points centred = estimate.colwise() - estimate_mean;
+  const Eigen::Matrix3Xd centred = estimate.colwise() - estimate_mean;
   const Eigen::Matrix3d covariance = (truth.colwise() - truth_mean) * centred.transpose();
 
   if (alignment == Alignment::Se2) {

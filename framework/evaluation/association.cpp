@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <string>
 
 namespace tolman::evaluation {
@@ -116,27 +115,20 @@ Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& esti
                  "stamp within " + std::to_string(max_difference_ns) + " ns");
 }
 
-StampComparison compareStamps(const Trajectory& truth, const Trajectory& estimate) {
-  StampComparison result;
-  const Result<Matches> matches = associateByFrame(truth, estimate);
-  result.period_ns = medianStep(truth);
-  if (result.period_ns == 0 || !hasStamps(estimate) || !matches.isOk()) return result;
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  std::int64_t most = std::numeric_limits<std::int64_t>::min();
-  for (std::size_t i = 0; i < matches.value().size(); ++i) {
-    const std::int64_t ns =
-        matches.value().estimate[i].stamp_ns - matches.value().truth[i].stamp_ns;
-    least = std::min(least, ns);
-    most = std::max(most, ns);
-  }
-  result.apart_ns = std::max(std::abs(least), std::abs(most));
-  if (result.apart_ns <= result.period_ns / 2) return result;
+Result<Matches> associate(const Trajectory& truth, const Trajectory& estimate,
+                          std::int64_t max_difference_ns) {
+  if (truth.empty()) return Status::invalidInput("there is no ground truth");
+  if (estimate.empty()) return Status::invalidInput("there is no estimate");
+  return max_difference_ns < 0 ? associateByFrame(truth, estimate)
+                               : associateByStamp(truth, estimate, max_difference_ns);
+}
+
+std::int64_t usualDifference(const Trajectory& truth, const Trajectory& estimate) {
+  constexpr std::int64_t kLeast = 20'000'000;  // ns
+  if (!hasStamps(truth) || !hasStamps(estimate)) return -1;
   const bool overlap = truth.front().stamp_ns <= estimate.back().stamp_ns &&
                        estimate.front().stamp_ns <= truth.back().stamp_ns;
-  const bool constant = most - least <= result.period_ns / 2;
-  result.agreement =
-      constant && !overlap ? StampAgreement::OtherClock : StampAgreement::Contradicts;
-  return result;
+  return overlap ? std::max(kLeast, std::min(medianStep(truth), medianStep(estimate)) / 2) : -1;
 }
 
 }  // namespace tolman::evaluation

@@ -39,17 +39,13 @@ Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& esti
 Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& estimate,
                                  std::int64_t max_difference_ns);
 
-/// Whether the stamps of poses that are matched by frame index agree.
-enum class StampAgreement : std::uint8_t {
-  Agrees,      ///< at most half a frame period apart; or there are no stamps
-  OtherClock,  ///< the difference is constant, and the two periods of time do not overlap
-  Contradicts,
-};
-struct StampComparison {
-  StampAgreement agreement = StampAgreement::Agrees;
-  std::int64_t apart_ns = 0;   ///< the largest difference of two matched poses
-  std::int64_t period_ns = 0;  ///< median step of the truth; 0 without stamps
-};
-StampComparison compareStamps(const Trajectory& truth, const Trajectory& estimate);
+/// By stamp; by frame index where `max_difference_ns` < 0. InvalidInput says which is empty.
+Result<Matches> associate(const Trajectory& truth, const Trajectory& estimate,
+                          std::int64_t max_difference_ns);
+
+/// How far apart in time poses may be that belong together, unless the user states it: half of the
+/// shorter usual step of the two, and at least 20 ms. -1, by frame index, if one of them has no
+/// stamps, or if their clocks have no moment in common.
+std::int64_t usualDifference(const Trajectory& truth, const Trajectory& estimate);
 
 }  // namespace tolman::evaluation

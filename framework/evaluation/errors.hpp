@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Absolute and relative errors of an aligned estimate (Sturm et al., "A benchmark for the
-// evaluation of RGB-D SLAM systems", IROS 2012).
+// Errors of an estimate: absolute and relative ones (Sturm et al., "A benchmark for the evaluation
+// of RGB-D SLAM systems", IROS 2012), the drift of the KITTI odometry benchmark (Geiger, Lenz,
+// Urtasun, CVPR 2012), and whether the covariances that an odometry reports fit its errors: the
+// normalised estimation error squared (Bar-Shalom, Li, Kirubarajan, "Estimation with applications
+// to tracking and navigation", 2001, section 5.4).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "evaluation/association.hpp"
+#include "evaluation/trajectory.hpp"
+#include "tolman/records.hpp"
 
 namespace tolman::evaluation {
 
@@ -23,7 +31,7 @@ struct Statistics {
 Statistics statistics(std::vector<double> values);
 
 /// The parts of a distance. Vertical is along the y axis of the truth's world frame; horizontal
-/// is in its x-z plane. scoreTrajectory() makes that world the first true camera.
+/// is in its x-z plane. score() makes that world the first true camera.
 enum class Direction : std::uint8_t { All, Horizontal, Vertical };
 
 /// Distances between matched positions, m.
@@ -44,5 +52,62 @@ RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta
 /// Over steps of at least `length` metres of the true path, one from each pose, within one
 /// session; errors are divided by the length of the step and so are per metre.
 RelativeError relativeErrorOverDistance(const Matches& aligned, double length = 1);
+
+/// A named list of lengths, so that errors over short segments are not mistaken for KITTI's.
+struct SegmentLengths {
+  std::string name;
+  std::vector<double> lengths_m;
+};
+
+/// "kitti": 100, 200 ... 800 m.
+SegmentLengths kittiLengths();
+/// "short": 5, 10, 20, 30, 40, 50 m.
+SegmentLengths shortLengths();
+/// kittiLengths() for paths of at least 200 m, else shortLengths().
+SegmentLengths lengthsFor(double truth_path_length_m);
+
+struct SegmentErrors {
+  SegmentLengths lengths;    ///< the requested lengths
+  std::size_t segments = 0;  ///< how many were measured; 0: the path is too short, no figures
+  std::size_t segments_in_gaps = 0;  ///< left out: they end where poses have no estimate, or in
+                                     ///< another piece of the path
+  double t_rel_percent = 0;          ///< mean translation error per length
+  double r_rel_deg_per_100m = 0;
+};
+
+/// As in the benchmark's own program: a segment starts at every 10th matched frame and ends at the
+/// first one that is more than the length of true path away; all segments have the same weight.
+/// Where true poses before that end have no estimate, errors are divided by the segment's true
+/// length, and segments more than a tenth too long are left out. So are segments that end in
+/// another piece of the path than they begin in (Matches::piece).
+SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths);
+
+struct MotionConsistency {
+  std::size_t motions = 0;             ///< tracked motions in metres, with truth at both ends
+  std::size_t without_covariance = 0;  ///< of those: the covariance is not positive definite
+  double mean = 0;             ///< mean of the others; degrees_of_freedom for correct covariances
+  double share_99 = 0;         ///< share of `motions` within the ellipsoid that should contain 99 %
+  int degrees_of_freedom = 6;  ///< 3 for an estimate in the plane
+};
+
+/// Compares motions with the truth, one at a time in the order of frames.
+class MotionErrors {
+ public:
+  /// `planar`: only the motion in the plane counts (camera x, z and the turn about y).
+  MotionErrors(const Trajectory& truth, bool planar);
+  /// `motion` is since the motion that was added before.
+  void add(const Motion& motion);
+  MotionConsistency result() const;
+
+ private:
+  const Trajectory& truth_;
+  bool planar_;
+  Trajectory::const_iterator next_;
+  const TrajectoryPose* before_ = nullptr;  ///< truth at the motion before; null for none
+  MotionConsistency sums_;                  ///< `mean` and `share_99` not yet divided
+};
+
+/// Null numbers, with the cause in `reason`, where no motion could be compared.
+nlohmann::ordered_json toJson(const MotionConsistency& consistency);
 
 }  // namespace tolman::evaluation

@@ -75,4 +75,8 @@ double axisValue(const ArrayAxis& axis, std::size_t i);
 /// The same in radians, for an axis of angles in "deg" or "rad".
 double axisAngle(const ArrayAxis& axis, std::size_t i);
 
+/// What is wrong with the description of a population's array; empty if nothing is, or if it
+/// describes no activity over axes. Asks for the arrays of the whole run.
+std::string contradictionOf(const PopulationHistory& population);
+
 }  // namespace tolman::evaluation

@@ -22,6 +22,13 @@ using Trajectory = std::vector<TrajectoryPose>;
 /// Whether times are known: KITTI files have none, and all their stamps are 0.
 bool hasStamps(const Trajectory& trajectory);
 
+/// One column per pose, m.
+Eigen::Matrix3Xd positions(const Trajectory& trajectory);
+/// The same, relative to their mean.
+Eigen::Matrix3Xd centredPositions(const Trajectory& trajectory);
+/// Size of the box around the positions, along the axes of the first pose, m.
+Eigen::Vector3d extentFromFirst(const Trajectory& trajectory);
+
 /// Distance travelled up to each pose, m: as long as the trajectory, starting with 0. Nothing is
 /// added from one session to the next.
 std::vector<double> distances(const Trajectory& trajectory);

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory_files.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -18,7 +14,6 @@
 #include <system_error>
 
 #include "base/number_text.hpp"
-#include "base/open_files.hpp"
 #include "base/text_encoding.hpp"
 
 namespace tolman::evaluation {
@@ -173,49 +168,23 @@ class CutLine {
   int lines_ = 0;
 };
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
-
-/// The next bytes of a file or pipe, appended to `text`; EndOfStream at its end, which a pipe has
-/// where no program writes to it.
-Status readMore(int file, std::string& text) {
-  constexpr int kTimeout_ms = 60'000;
-  std::array<char, 1 << 16> bytes;
-  const ssize_t count = ::read(file, bytes.data(), bytes.size());
-  if (count == 0) return Status::endOfStream();
-  if (count > 0) {
-    text.append(bytes.data(), static_cast<std::size_t>(count));
-    return text.size() <= kMaxBytes ? Status::ok() : Status::invalidInput("has more than 1 GiB");
-  }
-  if (errno != EAGAIN && errno != EINTR) {
-    return Status::invalidInput(std::generic_category().message(errno) + "; check the disk");
-  }
-  pollfd waiting{file, POLLIN, 0};
-  return ::poll(&waiting, 1, kTimeout_ms) != 0
-             ? Status::ok()
-             : Status::invalidInput("nothing came through this pipe for 60 s; give a file");
-}
-
-/// The text of a file, or of a pipe until its end. Fails if a pipe gives nothing for 60 s.
+/// Of a file, or of what comes through a pipe until its end.
 Result<std::string> textOf(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  if (file < 0) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  if (std::filesystem::is_directory(path)) return Status::invalidInput("is a folder; give a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
     const std::string why = std::generic_category().message(errno);
-    return Status::invalidInput(
-        file_opening::notOpened("cannot be read (" + why + "); check path and permissions"));
+    return Status::invalidInput("cannot be read (" + why + "); check path and permissions");
   }
-  struct stat state {};
   std::string text;
-  Status status;
-  if (::fstat(file, &state) != 0 || !(S_ISREG(state.st_mode) || S_ISFIFO(state.st_mode))) {
-    status = Status::invalidInput("is neither a file nor a pipe; check the path");
+  std::array<char, 1 << 16> bytes;
+  while (stream.read(bytes.data(), bytes.size()) || stream.gcount() > 0) {
+    text.append(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kMost) return Status::invalidInput("has more than 1 GiB");
   }
-  while (status.isOk()) status = readMore(file, text);
-  ::close(file);
-  if (status.code() != StatusCode::EndOfStream) return status;
-  if (text.empty() && S_ISFIFO(state.st_mode)) {
-    return Status::invalidInput("nothing came through this pipe; start the program that writes it");
-  }
-  return text;
+  return stream.bad() ? Status::invalidInput("cannot be read to its end; check the disk")
+                      : Result<std::string>(std::move(text));
 }
 
 }  // namespace

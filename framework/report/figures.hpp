@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "report/drawn_units.hpp"
 #include "report/run_data.hpp"
+#include "report/units.hpp"
 
 namespace tolman::report {
 
@@ -16,6 +16,10 @@ inline constexpr std::size_t kMaxPanels = 40;
 
 /// Position error of odometry and map over time.
 std::string errorFigure(const RunData& run);
+
+/// Lengths and turns of short stretches of odometry and map against true ones, over time: where one
+/// of them is broken or in other units.
+std::string stepFigure(const RunData& run);
 
 /// Height of odometry, map and truth over the driven distance; empty where all stay level.
 std::string elevationFigure(const RunData& run);

@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <fstream>
 #include <iterator>
 
-#include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "report/figures.hpp"
 #include "report/map_picture.hpp"
-#include "report/neurons.hpp"
-#include "report/run_comparison.hpp"
 #include "report/svg.hpp"
+#include "report/units.hpp"
 
 namespace tolman::report {
 namespace {
@@ -65,7 +64,7 @@ std::string style() {
 }
 
 std::string textOf(const std::filesystem::path& file) {
-  std::ifstream stream = record::openRegular(file);
+  std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -95,6 +94,10 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
   addFigure(page, "map", "Experience map over odometry and truth, seen from above.",
             svgText(pictureOf(data, data.name)));
   addFigure(page, "error", "Distance to the truth at each frame.", errorFigure(data));
+  addFigure(page, "steps",
+            "Lengths and turns of short stretches against the true ones: jumps, standstills and "
+            "changes of units stand out.",
+            stepFigure(data));
   addFigure(page, "elevation",
             "Height over the first camera, against its own vertical axis, along the path.",
             elevationFigure(data));

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <memory>
 
-#include "report/drawing_process.hpp"
-
 namespace tolman::report {
 namespace {
 
@@ -76,7 +74,9 @@ Status draw(const Drawing& drawing, cairo_surface_t* surface, double zoom) {
   return Status::ok();
 }
 
-Result<std::string> drawnPng(const std::string& svg, double zoom) {
+}  // namespace
+
+Result<std::string> pngOf(const std::string& svg, double zoom) {
   const auto drawing = drawingOf(svg, zoom);
   if (!drawing.isOk()) return drawing.status();
   const auto pixels = [&](double side) { return static_cast<int>(std::lround(zoom * side)); };
@@ -88,7 +88,7 @@ Result<std::string> drawnPng(const std::string& svg, double zoom) {
   return bytes;
 }
 
-Result<std::string> drawnPdf(const std::string& svg, double points) {
+Result<std::string> pdfOf(const std::string& svg, double points) {
   const auto drawing = drawingOf(svg, points);
   if (!drawing.isOk()) return drawing.status();
   std::string bytes;
@@ -102,16 +102,6 @@ Result<std::string> drawnPdf(const std::string& svg, double points) {
     return failure(cairo_status_to_string(cairo_surface_status(surface.get())));
   }
   return bytes;
-}
-
-}  // namespace
-
-Result<std::string> pngOf(const std::string& svg, double zoom) {
-  return drawnSafely([&] { return drawnPng(svg, zoom); });
-}
-
-Result<std::string> pdfOf(const std::string& svg, double points) {
-  return drawnSafely([&] { return drawnPdf(svg, points); });
 }
 
 std::string pngUrl(Pixels pixels) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "report/colour_map.hpp"
+#include "report/svg.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::report {

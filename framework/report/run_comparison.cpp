@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/run_comparison.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "config/tree.hpp"
 #include "report/map_picture.hpp"
+#include "report/page.hpp"
 #include "report/svg.hpp"
 
 namespace tolman::report {

@@ -8,12 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/record_rows.hpp"
 #include "evaluation/alignment.hpp"
 #include "evaluation/association.hpp"
 #include "evaluation/cell_scoring.hpp"
-#include "record/graph_parts.hpp"
-#include "record/rows.hpp"
-#include "record/sha256.hpp"
+#include "evaluation/plausibility.hpp"
+#include "record/digest.hpp"
+#include "record/map_file.hpp"
 
 namespace tolman::report {
 namespace {
@@ -112,6 +113,14 @@ evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std
   return errors.result();
 }
 
+evaluation::TrajectoryMetrics scored(const evaluation::Trajectory& truth,
+                                     const evaluation::Trajectory& estimate, Alignment alignment,
+                                     const std::optional<evaluation::SegmentLengths>& lengths) {
+  evaluation::TrajectoryMetrics metrics = evaluation::score(truth, estimate, alignment, lengths);
+  metrics.warning = evaluation::doubtText(evaluation::doubts(truth, estimate, alignment));
+  return metrics;
+}
+
 /// Counts frames that `realtime` dropped as not tracked. They have no record, and so no truth.
 void countDropped(evaluation::TrajectoryMetrics& metrics, const evaluation::Trajectory& poses,
                   std::int64_t last_given) {
@@ -158,8 +167,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   evaluation::Metrics metrics;
   metrics.alignment = resolve(settings.alignment, reader);
   const std::int64_t own = run.odometry.empty() ? 0 : run.odometry.front().frame;
-  metrics.odometry =
-      evaluation::scoreTrajectory(since(own, truth), run.odometry, metrics.alignment, lengths);
+  metrics.odometry = scored(since(own, truth), run.odometry, metrics.alignment, lengths);
   const std::int64_t last_given = must(reader.lastGivenFrame());
   countDropped(metrics.odometry, run.odometry, last_given);
   const record::GraphParts parts = record::partsOf(run.graph);
@@ -171,7 +179,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   } else if (settings.sessions == config::SessionScope::Joint && parts.count > 1) {
     metrics.map.reason = evaluation::unjoinedText(metrics);
   } else {
-    metrics.map = evaluation::scoreTrajectory(truth, run.map, metrics.alignment, lengths);
+    metrics.map = scored(truth, run.map, metrics.alignment, lengths);
     countDropped(metrics.map, run.odometry, last_given);
     warnOfParts(metrics);
   }
@@ -206,7 +214,7 @@ void alignTruth(RunData& run, const evaluation::Trajectory& truth, bool scale_kn
   run.has_metres = true;
 }
 
-/// Position error of each matched frame after alignment.
+/// Errors of each matched frame after alignment.
 ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Trajectory& estimate,
                      Alignment alignment) {
   ErrorSeries series;
@@ -222,6 +230,9 @@ ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Traj
   series.metres = evaluation::positionErrors(aligned, alignment == Alignment::Se2
                                                           ? evaluation::Direction::Horizontal
                                                           : evaluation::Direction::All);
+  constexpr std::size_t kPoints = 400;  // of a figure
+  series.steps =
+      evaluation::stepSeries(aligned, std::max<std::size_t>(1, aligned.size() / kPoints));
   return series;
 }
 

@@ -8,15 +8,18 @@
 #include "config/settings.hpp"
 #include "evaluation/metrics.hpp"
 #include "evaluation/recorded_cells.hpp"
+#include "evaluation/step_series.hpp"
 #include "evaluation/trajectory.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::report {
 
-/// Position error at each frame with ground truth.
+/// Position error at each frame with ground truth, and motions over short stretches against true
+/// ones.
 struct ErrorSeries {
   std::vector<double> seconds;  ///< data time since the first frame of the run
   std::vector<double> metres;
+  evaluation::StepSeries steps{};
 };
 
 struct RunData {

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Revisits compared with hand-made routes, an exhaustive search, and real drives.
-#include "evaluation/loop_truth.hpp"
-
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <iostream>
 #include <limits>
 #include <numbers>
 
+#include "evaluation/loops.hpp"
 #include "evaluation/paths.hpp"
 #include "evaluation/trajectory_files.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
-using namespace tolman::dataset;
 using namespace tolman::evaluation;
 
 namespace {

@@ -12,7 +12,7 @@ using namespace tolman::evaluation;
 namespace {
 
 Scores scoresOf(const Trajectory& truth, const Trajectory& estimate, Alignment alignment) {
-  const TrajectoryMetrics metrics = scoreTrajectory(truth, estimate, alignment);
+  const TrajectoryMetrics metrics = score(truth, estimate, alignment);
   INFO(metrics.reason);
   REQUIRE(metrics.scores);
   return *metrics.scores;
@@ -25,9 +25,9 @@ TEST_CASE("metrics.json has the promised keys with the right figures") {
   Trajectory bent = truth;
   for (auto& pose : bent) pose.T_world_camera.translation().x() += pose.frame % 2 == 0 ? 0.1 : -0.1;
   Metrics metrics;
-  metrics.odometry = scoreTrajectory(truth, bent, Alignment::Se3);
+  metrics.odometry = score(truth, bent, Alignment::Se3);
   bent.resize(80);
-  metrics.map = scoreTrajectory(truth, bent, Alignment::Se3);
+  metrics.map = score(truth, bent, Alignment::Se3);
   metrics.frames = 100;
   metrics.templates = 7;
   metrics.counts = {9, 12, 2, 1, 5};
@@ -66,20 +66,20 @@ TEST_CASE("one pose that matches has no aligned error, as any pose can be put on
   Trajectory one = test::straightPath(1);
   one[0].T_world_camera.translation().x() = 3;
   for (const Alignment alignment : {Alignment::Se2, Alignment::Se3, Alignment::Sim3}) {
-    const TrajectoryMetrics metrics = scoreTrajectory(truth, one, alignment);
+    const TrajectoryMetrics metrics = score(truth, one, alignment);
     CHECK(metrics.matched == 1);
     CHECK_FALSE(metrics.scores);
     CHECK(metrics.reason ==
           "only one pose matches; any one is aligned without an error, so give more");
   }
   CHECK(scoresOf(truth, one, Alignment::None).ate_m.rmse == 3);
-  CHECK(scoreTrajectory(truth, test::straightPath(2), Alignment::Se3).scores);
+  CHECK(score(truth, test::straightPath(2), Alignment::Se3).scores);
 }
 
 TEST_CASE("without truth the scores are null with a reason, the path length is not") {
   Metrics metrics;
-  metrics.odometry = scoreTrajectory({}, test::straightPath(11), Alignment::Se3);
-  metrics.map = scoreTrajectory(test::straightPath(3), {}, Alignment::Se3);
+  metrics.odometry = score({}, test::straightPath(11), Alignment::Se3);
+  metrics.map = score(test::straightPath(3), {}, Alignment::Se3);
   const auto json = toJson(metrics);
   CHECK(json["odometry"]["ate"]["rmse_m"].is_null());
   CHECK(json["odometry"]["rpe"]["frame"]["translation"]["rmse_m"].is_null());
@@ -92,8 +92,7 @@ TEST_CASE("without truth the scores are null with a reason, the path length is n
 }
 
 TEST_CASE("a path that is too short for segments says so") {
-  const auto metrics =
-      scoreTrajectory(test::straightPath(4), test::straightPath(4), Alignment::Se3);
+  const auto metrics = score(test::straightPath(4), test::straightPath(4), Alignment::Se3);
   const auto json = toJson(metrics);
   CHECK(json["kitti"]["t_rel_percent"].is_null());
   CHECK(json["kitti"]["reason"] == "the path is shorter than any segment");
@@ -112,7 +111,7 @@ TEST_CASE("the error is told apart by horizontal and vertical; both give the who
   CHECK(scores.ate_m.rmse == Approx(13));
   CHECK(scores.horizontal_m.rmse == Approx(5));
   CHECK(scores.vertical_m.rmse == Approx(12));
-  const auto json = toJson(scoreTrajectory(test::straightPath(50), estimate, Alignment::Se2));
+  const auto json = toJson(score(test::straightPath(50), estimate, Alignment::Se2));
   CHECK(json["ate"] == json["ate_horizontal"]);
   CHECK(json["ate_vertical"]["rmse_m"].is_null());
   CHECK(json["ate_vertical"]["reason"] == "se2 compares on the plane");
@@ -122,16 +121,16 @@ TEST_CASE("relative errors that have no pairs say why") {
   const Trajectory truth = test::straightPath(50);
   Trajectory every_second;
   for (std::size_t i = 0; i < truth.size(); i += 2) every_second.push_back(truth[i]);
-  const auto json = toJson(scoreTrajectory(truth, every_second, Alignment::Se3));
+  const auto json = toJson(score(truth, every_second, Alignment::Se3));
   CHECK(json["rpe"]["frame"]["translation"]["rmse_m"].is_null());
   CHECK(json["rpe"]["frame"]["pairs"] == 0);
   CHECK(json["rpe"]["frame"]["reason"] == "no two poses that match are one frame apart");
   CHECK(json["rpe"]["metre"]["reason"].is_null());
   const Trajectory slow = test::straightPath(50, 0.01);
-  const auto crept = toJson(scoreTrajectory(slow, slow, Alignment::Se3));
+  const auto crept = toJson(score(slow, slow, Alignment::Se3));
   CHECK(crept["rpe"]["frame"]["reason"].is_null());
   CHECK(crept["rpe"]["metre"]["reason"] == "the path is shorter than 1 m");
-  CHECK(toJson(scoreTrajectory({}, truth, Alignment::Se3))["rpe"]["metre"]["reason"].is_null());
+  CHECK(toJson(score({}, truth, Alignment::Se3))["rpe"]["metre"]["reason"].is_null());
 }
 
 TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {
@@ -143,8 +142,8 @@ TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {
   for (auto& pose : flat) pose.T_world_camera.translation().y() = 0;
   CHECK(scoresOf(truth, flat, Alignment::Se2).ate_m.max < 1e-9);
   CHECK(scoresOf(truth, flat, Alignment::None).ate_m.max > 0.1);
-  const auto scaled = scoreTrajectory(truth, test::moved(truth, Eigen::Isometry3d::Identity(), 0.5),
-                                      Alignment::Sim3);
+  const auto scaled =
+      score(truth, test::moved(truth, Eigen::Isometry3d::Identity(), 0.5), Alignment::Sim3);
   CHECK(scaled.scores->scale == Approx(2));
   CHECK(scaled.path_length_m == Approx(pathLength(truth)));
   // Relative errors are measured with the scale applied.
@@ -191,18 +190,18 @@ TEST_CASE("se2 compares on the plane of the first camera, whatever the axes of t
     pose.T_world_camera.translation().z() *= 1.02;
     pose.T_world_camera.translation().y() = pose.frame % 2 == 0 ? 0.3 : -0.3;
   }
-  const TrajectoryMetrics level = scoreTrajectory(truth, estimate, Alignment::Se2);
+  const TrajectoryMetrics level = score(truth, estimate, Alignment::Se2);
   REQUIRE(level.scores);
   CHECK(level.scores->ate_m.rmse > 0.1);
   const Eigen::Isometry3d z_up(
       Eigen::AngleAxisd(-0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()));
   for (const Eigen::Isometry3d& T_other_world : {z_up, test::randomPose(random)}) {
     const TrajectoryMetrics turned =
-        scoreTrajectory(test::moved(truth, T_other_world), estimate, Alignment::Se2);
+        score(test::moved(truth, T_other_world), estimate, Alignment::Se2);
     REQUIRE(turned.scores);
     CHECK(turned.scores->ate_m.rmse == Approx(level.scores->ate_m.rmse));
     const TrajectoryMetrics whole =
-        scoreTrajectory(test::moved(truth, T_other_world), estimate, Alignment::Se3);
+        score(test::moved(truth, T_other_world), estimate, Alignment::Se3);
     REQUIRE(whole.scores);
     CHECK(whole.scores->vertical_m.rmse ==
           Approx(scoresOf(truth, estimate, Alignment::Se3).vertical_m.rmse));
@@ -217,7 +216,7 @@ TEST_CASE("se2 refuses a path that leaves its plane") {
   }
   Trajectory half = truth;
   for (auto& pose : half) pose.T_world_camera.translation() *= 0.5;
-  const TrajectoryMetrics metrics = scoreTrajectory(truth, half, Alignment::Se2);
+  const TrajectoryMetrics metrics = score(truth, half, Alignment::Se2);
   CHECK_FALSE(metrics.scores);
   CHECK(metrics.reason ==
         "se2 compares on the x-z plane of the first true pose (camera axes: x right, y down, z "

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <regex>
 
-#include "report/count_of.hpp"
 #include "report/raster.hpp"
 #include "report/recorded_walk.hpp"
 #include "report/sample_pages.hpp"

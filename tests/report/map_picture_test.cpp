@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
-#include "report/count_of.hpp"
+#include "report/sample_pages.hpp"
 
 using namespace tolman;
 

@@ -10,6 +10,17 @@
 
 namespace tolman::test {
 
+/// How often a part occurs in a text, overlaps included.
+inline int countOf(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// Unit i of `units` stands for i turns / units.
 inline ArrayInfo ringInfo(int units) {
   ArrayAxis heading{"heading", "deg", 0, 360.0 / units, 360, {}};
