@@ -4,30 +4,43 @@
 #include <algorithm>
 #include <utility>
 
+#include "coded_image.hpp"
+#include "data_error.hpp"
+#include "image_file.hpp"
+
 namespace tolman::image_folders {
 namespace {
 
 constexpr const char* kDepth = "depth.left";
 
+std::string pixelsText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height) + " pixels";
+}
+
 }  // namespace
 
 Status FolderSource::configure(const Context& context) {
   dataset_ = {};
-  inspection_ = {};
   sequence_ = {};
-  left_warnings_ = {};
-  right_warnings_ = {};
-  log_ = &context.log;
+  is_orientation_reported_ = false;
+  findings_ = &context.findings;
   next_frame_ = 0;
-  ready_ = load(context.parameters, parameters_, dataset_, inspection_);
-  if (ready_.isOk()) ready_ = inspection_.status();
-  for (const Finding& finding : inspection_.findings()) context.findings.add(finding);
-  if (!ready_.isOk()) return ready_;
-  used_bits_ = source_parameters::UsedBits(parameters_.bits);
-  Result<FrameSequence> sequence = FrameSequence::make(parameters_, dataset_.stamps_ns);
-  ready_ = sequence.status();
-  if (sequence.isOk()) sequence_ = std::move(sequence).value();
+  try {
+    ready_ = prepare(context);
+  } catch (const source_parameters::DataError& error) {
+    ready_ = error.status();
+  }
   return ready_;
+}
+
+Status FolderSource::prepare(const Context& context) {
+  Status status = load(context, parameters_, dataset_);
+  if (!status.isOk()) return status;
+  used_bits_ = source_parameters::UsedBits(parameters_.bits);
+  leaveOutUnusable(dataset_, *findings_);
+  Result<FrameSequence> sequence = FrameSequence::make(parameters_, dataset_.stamps_ns);
+  if (sequence.isOk()) sequence_ = std::move(sequence).value();
+  return sequence.status();
 }
 
 Status FolderSource::rawRig(RawRig& rig) {
@@ -77,78 +90,73 @@ Status FolderSource::next(Frame& frame) {
     frame.T_world_camera_truth =
         dataset_.T_world_left[origin].inverse() * dataset_.T_world_left[index];
   }
-  Status status = readImages(index, frame);
-  const bool is_last = next_frame_ == sequence_.size();
-  if (const auto warning = used_bits_.warning(is_last, next_frame_ - 1)) {
-    log_->warning(dataset_.left.front().parent_path().string() + ": " + *warning);
+  return readFrame(index, frame);
+}
+
+/// Of a damaged image both images of the pair are left out: one alone would look like a single
+/// camera.
+Status FolderSource::readFrame(std::size_t index, Frame& frame) {
+  const auto leaveOut = [&](const std::filesystem::path& file, const Status& status) {
+    const std::string defect = file.string() + ": " + status.message();
+    if (status.code() != StatusCode::InvalidInput) return Status(status.code(), defect);
+    findings_->add({Finding::Severity::Error, file.string(), status.message(),
+                    "copy or record it again", Finding::Kind::Damaged});
+    frame.left = frame.right = {};
+    frame.defect = defect;
+    return Status::ok();
+  };
+  if (!dataset_.depth.empty()) {
+    const auto pixels = static_cast<std::size_t>(dataset_.rig.width) *
+                        static_cast<std::size_t>(dataset_.rig.height);
+    frame.sensors = {
+        {kDepth, {dataset_.rig.height, dataset_.rig.width}, std::vector<float>(pixels)}};
+    const Status status = readDepth(dataset_.depth[index], frame.sensors.front());
+    if (!status.isOk()) return leaveOut(dataset_.depth[index], status);
   }
-  const bool damaged = status.code() == StatusCode::InvalidInput;
-  if (!damaged || parameters_.on_corrupt == OnCorrupt::Stop) return status;
-  frame.left = frame.right = {};
-  if (!dataset_.depth.empty()) frame.sensors = {noDepth()};
-  frame.defect = source_parameters::withoutAdvice(status.message());
+  Result<Image> left = readImage(dataset_.left[index]);
+  if (!left.isOk()) return leaveOut(dataset_.left[index], left.status());
+  frame.left = std::move(left).value();
+  if (dataset_.right.empty()) return Status::ok();
+  Result<Image> right = readImage(dataset_.right[index]);
+  if (!right.isOk()) return leaveOut(dataset_.right[index], right.status());
+  frame.right = std::move(right).value();
   return Status::ok();
 }
 
-Result<Image> FolderSource::readImage(const std::filesystem::path& file, ImageWarnings& warnings) {
-  const int bits = parameters_.bits;
-  ImageNotes notes;
-  if (used_bits_.isJudging()) notes.values.widths.emplace();
-  Result<Image> image = readImageFile(file, parameters_.colour, dataset_.size(), bits, &notes);
+Result<Image> FolderSource::readImage(const std::filesystem::path& file) {
+  const Result<std::vector<std::uint8_t>> bytes = readBytes(file);
+  if (!bytes.isOk()) return bytes.status();
+  Result<Image> image = coded_images::decodeImage(bytes.value(), parameters_.colour, used_bits_);
   if (!image.isOk()) return image;
-  for (const auto& warning : {warnings.ofOrientation(notes.orientation),
-                              warnings.ofBits(notes.values.beyond_bits, bits)}) {
-    if (warning) log_->warning(file.string() + ": " + *warning);
+  const int width = image.value().width();
+  const int height = image.value().height();
+  if (width != dataset_.rig.width || height != dataset_.rig.height) {
+    return Status::invalidInput("has " + pixelsText(width, height) + ", but the first image has " +
+                                pixelsText(dataset_.rig.width, dataset_.rig.height));
   }
-  if (notes.values.widths) used_bits_.add(*notes.values.widths);
+  if (auto finding = used_bits_.endImage(file.string())) findings_->add(*std::move(finding));
+  if (!is_orientation_reported_ && coded_images::orientationOf(bytes.value()) != 1) {
+    is_orientation_reported_ = true;
+    findings_->add({Finding::Severity::Warning, file.string(),
+                    "is stored turned or mirrored (EXIF orientation), and the pixels are used as "
+                    "stored",
+                    "if the calibration is of upright images, turn the files, such as with "
+                    "`exiftran -ai` or `jpegtran`"});
+  }
   return image;
 }
 
-Status FolderSource::readImages(std::size_t index, Frame& frame) {
-  Result<Image> left = readImage(dataset_.left[index], left_warnings_);
-  if (!left.isOk()) return left.status();
-  frame.left = std::move(left).value();
-  if (dataset_.right.empty()) return readDepth(index, frame);
-  Result<Image> right = readImage(dataset_.right[index], right_warnings_);
-  if (!right.isOk()) return right.status();
-  frame.right = std::move(right).value();
-  return readDepth(index, frame);
-}
-
-/// A depth array with all values 0: not measured.
-NamedArray FolderSource::noDepth() const {
-  const ImageSize size = dataset_.size();
-  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  return {kDepth, {size.height, size.width}, std::vector<float>(pixels)};
-}
-
-Status FolderSource::readDepth(std::size_t index, Frame& frame) const {
-  if (dataset_.depth.empty()) return Status::ok();
-  const ImageSize size = dataset_.size();
-  const auto values = readDepthFile(dataset_.depth[index], size);
-  if (!values.isOk()) return values.status();
-  NamedArray& depth = frame.sensors.emplace_back(noDepth());
+Status FolderSource::readDepth(const std::filesystem::path& file, NamedArray& depth) const {
+  const Result<coded_images::DepthValues> read = readDepthFile(file);
+  if (!read.isOk()) return read.status();
+  const auto& [width, height, values] = read.value();
+  if (width != dataset_.rig.width || height != dataset_.rig.height) {
+    return Status::invalidInput("has " + pixelsText(width, height) + ", but the images have " +
+                                pixelsText(dataset_.rig.width, dataset_.rig.height));
+  }
   const double per_m = dataset_.depth_per_m;
-  std::transform(values.value().begin(), values.value().end(), depth.values.begin(),
-                 [&](std::uint16_t value) { return static_cast<float>(value / per_m); });
-  return Status::ok();
-}
-
-Status FolderSource::inspect(std::vector<Finding>& findings) {
-  const std::vector<Finding>& problems = inspection_.findings();
-  findings.insert(findings.end(), problems.begin(), problems.end());
-  if (!inspection_.hasErrors() && !ready_.isOk()) {
-    findings.push_back({Finding::Severity::Error, "configuration", ready_.message()});
-  }
-  if (dataset_.rig.width > 0) {
-    checkImageFiles(dataset_, findings);
-    checkUsedBits(dataset_, parameters_.bits, findings);
-  }
-  if (!dataset_.left.empty()) {
-    const auto all = static_cast<std::int64_t>(dataset_.left.size());
-    findings.push_back({Finding::Severity::Note, dataset_.left.front().parent_path().string(),
-                        descriptionOf(dataset_, ready_.isOk() ? sequence_.size() : all)});
-  }
+  std::ranges::transform(values, depth.values.begin(),
+                         [&](std::uint16_t value) { return static_cast<float>(value / per_m); });
   return Status::ok();
 }
 

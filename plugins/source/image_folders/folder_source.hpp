@@ -3,17 +3,11 @@
 // reads.
 #pragma once
 
-#include <array>
 #include <concepts>
-#include <span>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "image_dataset.hpp"
-#include "image_warnings.hpp"
-#include "inspection.hpp"
-#include "on_corrupt.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/roles.hpp"
@@ -21,13 +15,10 @@
 
 namespace tolman::image_folders {
 
-using source_parameters::OnCorrupt;
-
 /// Parameters of all layouts.
 struct FolderParameters : FrameSelection {
   bool colour = false;
   int bits = 16;
-  OnCorrupt on_corrupt = OnCorrupt::Stop;
 };
 
 template <std::derived_from<FolderParameters> P>
@@ -38,10 +29,8 @@ constexpr auto folderParameters() {
               .doc("Provide colour images; otherwise colour files are converted to grey."),
           parameter<P, int>("bits", &P::bits)
               .range(8, 16)
-              .doc("Bits that images of 16 bits use, from the lowest; the 8 highest of them are "
-                   "taken."),
-          parameter<P, OnCorrupt>("on_corrupt", &P::on_corrupt)
-              .doc("Damaged image files: stop the run, or skip: give a frame without images.")),
+              .doc("Bits of images of 16 bits that the camera uses, from the lowest; the 8 highest "
+                   "of them are taken.")),
       selectionParameters<P>());
 }
 
@@ -53,30 +42,25 @@ class FolderSource : public Source, public RawRigSource, public ArrayDescription
   Status next(Frame& frame) final;
   Status rawRig(RawRig& rig) final;
   Status describe(std::vector<ArrayInfo>& arrays) const final;
-  /// Reads every image file once: seconds for thousands of images.
-  Status inspect(std::vector<Finding>& findings);
 
  protected:
-  /// Binds the parameters, copies the shared ones to `shared`, and reads the data set as far as
-  /// possible.
-  virtual Status load(const ParameterValues& values, FolderParameters& shared,
-                      ImageDataset& dataset, Inspection& inspection) = 0;
+  /// Binds the parameters, copies the shared ones to `shared`, and reads the data set. Throws
+  /// DataError.
+  virtual Status load(const Context& context, FolderParameters& shared, ImageDataset& dataset) = 0;
 
  private:
-  Status readImages(std::size_t index, Frame& frame);
-  Result<Image> readImage(const std::filesystem::path& file, ImageWarnings& warnings);
-  NamedArray noDepth() const;
-  Status readDepth(std::size_t index, Frame& frame) const;
+  Status prepare(const Context& context);
+  Status readFrame(std::size_t index, Frame& frame);
+  Result<Image> readImage(const std::filesystem::path& file);
+  Status readDepth(const std::filesystem::path& file, NamedArray& depth) const;
 
   FolderParameters parameters_;
   ImageDataset dataset_;
-  Inspection inspection_;
-  Status ready_ = Status::failed("configure() was not called");
   FrameSequence sequence_;
-  ImageWarnings left_warnings_;
-  ImageWarnings right_warnings_;
   source_parameters::UsedBits used_bits_;
-  Logger* log_ = nullptr;  ///< of configure()
+  bool is_orientation_reported_ = false;
+  FindingCollector* findings_ = nullptr;
+  Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;
 };
 

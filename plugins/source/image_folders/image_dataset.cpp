@@ -4,85 +4,87 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <map>
 
-#include "camera_files.hpp"
-#include "image_listing.hpp"
-#include "image_warnings.hpp"
-#include "text_file.hpp"
-#include "used_bits.hpp"
+#include "base/text_file.hpp"
+#include "coded_image.hpp"
+#include "data_error.hpp"
+#include "image_file.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
+using text_encoding::fixed;
 
 namespace {
 
-std::string pixels(ImageSize size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
+void addContradiction(FindingCollector& findings, const fs::path& where, std::string message,
+                      std::string remedy) {
+  findings.add({Finding::Severity::Error, where.string(), std::move(message), std::move(remedy),
+                Finding::Kind::Contradiction});
 }
 
-/// A failure whose message begins with the file.
-void addError(const fs::path& file, const Status& failure, std::vector<Finding>& findings) {
-  findings.push_back({Finding::Severity::Error, file.string(),
-                      failure.message().substr(file.string().size() + 2)});
+/// Of at least two times, ns. Half of the steps are shorter.
+std::int64_t medianStep(const std::vector<std::int64_t>& times) {
+  std::vector<std::int64_t> steps(times.size() - 1);
+  std::transform(times.begin() + 1, times.end(), times.begin(), steps.begin(), std::minus<>());
+  const auto median = steps.begin() + std::ssize(steps) / 2;
+  std::nth_element(steps.begin(), median, steps.end());
+  return *median;
 }
 
-/// An error if a file that checkImage() has accepted holds no depths.
-void checkDepth(const fs::path& file, ImageSize expected, std::vector<Finding>& findings) {
-  const Result<ImageHeader> header = checkImageFile(file);
-  if (!header.isOk() || header.value().size != expected) return;
-  const Status depth = readDepthFile(file, expected).status();
-  if (!depth.isOk()) addError(file, depth, findings);
-}
-
-void checkImage(const fs::path& file, ImageSize expected, ImageWarnings& warnings,
-                std::vector<Finding>& findings) {
-  const Result<ImageHeader> header = checkImageFile(file);
-  if (!header.isOk()) {
-    addError(file, header.status(), findings);
-    return;
-  }
-  if (header.value().size != expected) {
-    findings.push_back({Finding::Severity::Error, file.string(),
-                        "has " + pixels(header.value().size) + " pixels, but the first image has " +
-                            pixels(expected) + "; all must be of one size"});
-  }
-  if (auto warning = warnings.ofOrientation(header.value().orientation)) {
-    findings.push_back({Finding::Severity::Warning, file.string(), std::move(*warning)});
-  }
+/// No odometry can follow images that are 10 s apart, and few cameras take 10000 a second: such
+/// times are milliseconds read as seconds, or microseconds read as nanoseconds.
+void checkUnit(const ImageDataset& dataset, FindingCollector& findings) {
+  constexpr std::int64_t kShortest_ns = 100'000;
+  constexpr std::int64_t kLongest_ns = 10'000'000'000;
+  if (dataset.stamps_ns.size() < 2) return;
+  const std::int64_t step = medianStep(dataset.stamps_ns);
+  if (step >= kShortest_ns && step <= kLongest_ns) return;
+  addContradiction(findings, dataset.left.front().parent_path(),
+                   "has images " + text_encoding::rounded(static_cast<double>(step) * 1e-9) +
+                       " s apart (median), so the times are of another unit",
+                   "convert them, or set stamps_unit (of `images`)");
 }
 
 }  // namespace
 
-/// Damaged images are skipped here; they are handled by on_corrupt.
-void findImageSize(ImageDataset& dataset, Inspection& inspection) {
-  Status first;
+void findPartners(const fs::path& folder, ImageDataset& dataset, FindingCollector& findings) {
+  std::map<std::string, fs::path> by_name;
+  for (const fs::path& file : findImages(folder)) by_name.emplace(file.stem().string(), file);
+  const auto report = [&](const fs::path& lonely) {
+    addContradiction(findings, lonely, "has no partner of the same name from the other camera",
+                     "restore the partner, or remove this one");
+  };
   for (const fs::path& file : dataset.left) {
-    const Result<ImageHeader> header = checkImageFile(file);
-    if (first.isOk()) first = header.status();
-    if (!header.isOk()) continue;
-    dataset.rig.width = header.value().size.width;
-    dataset.rig.height = header.value().size.height;
-    return;
+    const auto found = by_name.find(file.stem().string());
+    dataset.right.push_back(found == by_name.end() ? fs::path() : found->second);
+    if (found == by_name.end()) {
+      report(file);
+    } else {
+      by_name.erase(found);
+    }
   }
-  if (dataset.left.empty()) return;  // listImages() has added an error
-  // The remedy of a single image, on_corrupt: skip, is none here.
-  const std::string message = first.message().substr(0, first.message().find("; copy or record"));
-  inspection.error(dataset.left.front().parent_path(),
-                   "none of its " + std::to_string(dataset.left.size()) +
-                       " images can be read, as " + message + "; copy or record them again");
+  for (const auto& [name, file] : by_name) report(file);
 }
 
-void readFolders(const fs::path& left_folder, const fs::path& right_folder,
-                 std::optional<TimeUnit> times_in_names, ImageDataset& dataset,
-                 Inspection& inspection) {
-  if (times_in_names) {
-    dataset.left = findImages(left_folder, inspection);
-    dataset.stamps_ns = sortByTimes(dataset.left, *times_in_names, inspection);
-  } else {
-    dataset.left = listImages(left_folder, inspection);
+void setImageSize(ImageDataset& dataset) {
+  Status first;
+  for (const fs::path& file : dataset.left) {
+    const auto bytes = readBytes(file);
+    source_parameters::UsedBits bits;
+    const Result<Image> image = bytes.isOk() ? coded_images::decodeImage(bytes.value(), false, bits)
+                                             : Result<Image>(bytes.status());
+    if (image.isOk()) {
+      dataset.rig.width = image.value().width();
+      dataset.rig.height = image.value().height();
+      return;
+    }
+    if (first.isOk()) first = Status::invalidInput(file.string() + ": " + image.status().message());
   }
-  if (!right_folder.empty()) dataset.right = listPartners(dataset.left, right_folder, inspection);
-  findImageSize(dataset, inspection);
+  throw source_parameters::DataError(Status::invalidInput(first.message() + ", and so are all " +
+                                                          std::to_string(dataset.left.size()) +
+                                                          " images; copy or record them again"));
 }
 
 std::vector<std::int64_t> uniformStamps(std::size_t count, double rate) {
@@ -93,13 +95,20 @@ std::vector<std::int64_t> uniformStamps(std::size_t count, double rate) {
   return stamps;
 }
 
-void checkPrincipalPoint(const fs::path& file, const CameraRig& rig, Inspection& inspection) {
-  const Pinhole& K = rig.pinhole;
-  const bool is_inside = K.cx > 0 && K.cx < rig.width && K.cy > 0 && K.cy < rig.height;
-  if (rig.width == 0 || is_inside) return;
-  inspection.error(file, "principal point (" + fixed(K.cx, 1) + ", " + fixed(K.cy, 1) +
-                             ") is outside of the " + pixels({rig.width, rig.height}) +
-                             " image; give the calibration of these images");
+void setStamps(const fs::path& file, std::vector<std::int64_t> stamps_ns, ImageDataset& dataset,
+               FindingCollector& findings) {
+  const std::size_t images = dataset.left.size();
+  const std::size_t common = std::min(images, stamps_ns.size());
+  if (stamps_ns.size() != images) {
+    addContradiction(findings, file,
+                     "has " + std::to_string(stamps_ns.size()) + " times, but there are " +
+                         std::to_string(images) + " images",
+                     "restore the file, or the images");
+  }
+  stamps_ns.resize(common);
+  dataset.left.resize(common);
+  if (!dataset.right.empty()) dataset.right.resize(common);
+  dataset.stamps_ns = std::move(stamps_ns);
 }
 
 std::vector<std::ptrdiff_t> nearestTimes(const std::vector<std::int64_t>& times,
@@ -131,65 +140,40 @@ void keepFrames(const std::vector<bool>& keep, ImageDataset& dataset) {
   filter(dataset.depth);
 }
 
-void readRawCameras(const std::vector<fs::path>& files, int kitti_left, ImageDataset& dataset,
-                    Inspection& inspection) {
-  if (dataset.left.empty()) return;  // an error was added before
-  const Result<RawRig> rig = camera_files::readCameras(
-      files, {dataset.right.empty() ? 1 : 2, dataset.rig.width, dataset.rig.height, kitti_left});
-  if (!rig.isOk()) {
-    inspection.error(rig.status().message());
-  } else {
-    dataset.raw = rig.value();
+void leaveOutUnusable(ImageDataset& dataset, FindingCollector& findings) {
+  checkUnit(dataset, findings);
+  std::vector<bool> keep;
+  std::int64_t last = -1;
+  for (std::size_t i = 0; i < dataset.left.size(); ++i) {
+    const bool rises = dataset.stamps_ns[i] > last;
+    if (rises) last = dataset.stamps_ns[i];
+    keep.push_back(rises && (dataset.right.empty() || !dataset.right[i].empty()));
+    if (rises) continue;
+    addContradiction(findings, dataset.left[i], "has a time no later than the image before",
+                     "sort the data, or correct the times");
   }
+  keepFrames(keep, dataset);
 }
 
 std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames) {
-  const bool stereo = dataset.rig.isStereo() || !dataset.right.empty();
   std::string text = dataset.layout + ", " + std::to_string(frames);
   if (frames != static_cast<std::int64_t>(dataset.left.size())) {
     text += " from " + std::to_string(dataset.left.size());
   }
-  text += (stereo ? " stereo pairs of " : " images of one camera of ") + pixels(dataset.size());
+  text += dataset.right.empty() ? " images of one camera of " : " stereo pairs of ";
+  text += std::to_string(dataset.rig.width) + "x" + std::to_string(dataset.rig.height) + " px";
   const std::vector<std::int64_t>& stamps = dataset.stamps_ns;
   if (stamps.size() > 1 && stamps.back() > stamps.front()) {
     const double seconds = static_cast<double>(stamps.back() - stamps.front()) * 1e-9;
     const double rate = static_cast<double>(stamps.size() - 1) / seconds;
-    text += " px at " + fixed(rate, rate < 1 ? 4 : 1) + " Hz";
+    text += " at " + fixed(rate, rate < 1 ? 4 : 1) + " Hz";
   }
   if (dataset.rig.isStereo()) text += ", baseline " + fixed(dataset.rig.baseline, 4) + " m";
-  const bool raw = !dataset.raw.cameras.empty();
   if (!dataset.depth.empty()) text += ", with depth";
-  if (!dataset.rig.calibrated) text += raw ? ", not rectified" : ", uncalibrated";
+  if (!dataset.rig.calibrated) {
+    text += dataset.raw.cameras.empty() ? ", uncalibrated" : ", not rectified";
+  }
   return text + (dataset.T_world_left.empty() ? ", no truth" : ", with truth");
-}
-
-void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings) {
-  for (const auto* files : {&dataset.left, &dataset.right, &dataset.depth}) {
-    ImageWarnings warnings;
-    for (const fs::path& file : *files) checkImage(file, dataset.size(), warnings, findings);
-  }
-  if (!dataset.depth.empty()) checkDepth(dataset.depth.front(), dataset.size(), findings);
-}
-
-void checkUsedBits(const ImageDataset& dataset, int bits, std::vector<Finding>& findings) {
-  constexpr std::size_t kEach = source_parameters::UsedBits::kJudged;
-  source_parameters::UsedBits used(bits);
-  const std::size_t images = dataset.left.size();
-  std::optional<std::string> warning;
-  for (std::size_t i = 0; i < images && !warning; ++i) {
-    if (i >= kEach && i + kEach < images) continue;  // the first and the last ones
-    ImageNotes notes;
-    notes.values.widths.emplace();
-    const fs::path& file = dataset.left[i];
-    if (!readImageFile(file, false, dataset.size(), bits, &notes).isOk()) continue;
-    if (notes.values.largest < 0) return;
-    used.add(*notes.values.widths);
-    warning = used.warning(i + 1 == images, static_cast<std::int64_t>(i));
-  }
-  if (!warning) warning = used.warning(true, static_cast<std::int64_t>(images) - 1);
-  if (!warning) return;
-  findings.push_back({Finding::Severity::Warning, dataset.left.front().parent_path().string(),
-                      std::move(*warning)});
 }
 
 }  // namespace tolman::image_folders

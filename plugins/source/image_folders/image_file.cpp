@@ -1,174 +1,167 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_file.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "base/open_files.hpp"
-#include "bytes.hpp"
-#include "jpeg_decoder.hpp"
-#include "orientation.hpp"
-#include "png_chunks.hpp"
+#include "base/text_file.hpp"
+#include "data_error.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
+using source_parameters::DataError;
 
 namespace {
 
-constexpr std::string_view kRemedy =
-    "; copy or record it again, or leave it out by on_corrupt: skip";
-using Bytes = std::span<const std::uint8_t>;
-
-Status problem(std::string_view what) { return Status::invalidInput(std::string(what)); }
-
-/// Failure for a cause outside of the file: limits, memory, a failing disk. The image is not
-/// damaged, so on_corrupt does not apply.
-Status unread(int error) {
-  const bool descriptors = file_opening::isDescriptorLimit(error);
-  return Status::failed("cannot be read (" + std::generic_category().message(error) + "); " +
-                        (descriptors ? "allow more open files (`ulimit -n`)"
-                                     : "check its permissions, the disk and the memory"));
+bool isImage(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return (extension == ".png" || extension == ".jpg" || extension == ".jpeg") &&
+         !file.filename().string().starts_with('.');
 }
 
-Result<ImageSize> plausibleSize(std::int64_t width, std::int64_t height) {
-  constexpr std::int64_t kMaxPixels = 100'000'000;
-  if (width < 1 || height < 1 || width > kMaxPixels || height > kMaxPixels / width) {
-    return problem("claims an impossible size of " + std::to_string(width) + "x" +
-                   std::to_string(height) + " pixels");
+constexpr std::string_view kDigits = "0123456789";
+
+/// How many characters at the begin of `name` are a prefix of all names: not within a number.
+std::size_t commonBegin(const std::vector<std::string>& names) {
+  std::size_t length = names.front().size();
+  for (const std::string& name : names) {
+    const auto [end, other] = std::ranges::mismatch(names.front(), name);
+    length = std::min(length, static_cast<std::size_t>(end - names.front().begin()));
   }
-  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+  const auto withoutDigits = [&] {
+    return names.front().find_last_not_of(kDigits, length - 1) + 1;  // npos + 1 is 0
+  };
+  if (length > 0) length = withoutDigits();
+  const bool in_decimals = length > 1 && names.front()[length - 1] == '.' &&
+                           kDigits.find(names.front()[length - 2]) != std::string_view::npos;
+  if (in_decimals) length = names.front().find_last_not_of(kDigits, length - 2) + 1;
+  return length;
 }
 
-Result<ImageSize> checkPng(Bytes bytes) {
-  constexpr std::size_t kHeaderEnd = 33;  // signature, then IHDR with length, name, data and CRC
-  if (bytes.size() < kHeaderEnd || asText(bytes).substr(12, 4) != "IHDR") {
-    return problem("is a PNG file with a damaged header");
-  }
-  if (asText(bytes).rfind("IEND") == std::string_view::npos) {
-    return problem("is a truncated PNG file");
-  }
-  return plausibleSize(bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4));
-}
-
-/// Reads the segments up to the frame header SOF, which contains the size.
-Result<ImageSize> jpegSize(Bytes bytes) {
-  std::size_t at = 2;
-  while (at + 9 <= bytes.size() && bytes[at] == 0xff) {
-    const std::uint8_t marker = bytes[at + 1];
-    if (marker == 0xff) {  // fill byte
-      ++at;
-      continue;
+/// The names without what all of them begin and end with.
+std::vector<std::string> middlesOf(std::vector<std::string> names) {
+  for (int i = 0; i < 2; ++i) {
+    const std::size_t length = commonBegin(names);
+    for (std::string& name : names) {
+      name.erase(0, length);
+      std::ranges::reverse(name);
     }
-    const bool is_table = marker == 0xc4 || marker == 0xc8 || marker == 0xcc;
-    if (marker >= 0xc0 && marker <= 0xcf && !is_table) {
-      return plausibleSize(bigEndian(bytes, at + 7, 2), bigEndian(bytes, at + 5, 2));
-    }
-    at += 2 + static_cast<std::size_t>(bigEndian(bytes, at + 2, 2));
   }
-  return problem("is a JPEG file with a damaged header");
+  return names;
 }
 
-Result<ImageSize> checkJpeg(Bytes bytes) {
-  using namespace std::string_view_literals;
-  Result<ImageSize> size = jpegSize(bytes);
-  if (!size.isOk()) return size;
-  // Neither marker can occur in compressed data. Padding after the end is harmless.
-  const std::size_t last_scan = asText(bytes).rfind("\xff\xda"sv);
-  const std::size_t end = asText(bytes).rfind("\xff\xd9"sv);
-  const bool complete =
-      last_scan != std::string_view::npos && end != std::string_view::npos && end > last_scan;
-  return complete ? size : problem("is a truncated JPEG file: its end marker is missing");
-}
-
-Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
-  constexpr std::uintmax_t kMaxBytes = 512U << 20U;
-  std::error_code failure;
-  const fs::file_status status = fs::status(file, failure);
-  if (status.type() == fs::file_type::none) return unread(failure.value());
-  if (!fs::is_regular_file(status)) return problem("is missing or no file");
-  const std::uintmax_t size = fs::file_size(file, failure);
-  if (failure || size > kMaxBytes) return problem("is larger than 512 MiB");
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.is_open()) return unread(errno);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!stream) return unread(errno == 0 ? EIO : errno);
-  return bytes;
-}
-
-/// The bytes of an image file whose header has the size `expected`.
-Result<std::vector<std::uint8_t>> checkedBytes(const fs::path& file, ImageSize expected) {
-  Result<std::vector<std::uint8_t>> bytes = readBytes(file);
-  if (!bytes.isOk()) return bytes.status();
-  const Result<ImageSize> size = checkImageBytes(bytes.value());
-  if (!size.isOk()) return size.status();
-  if (size.value() == expected) return bytes;
-  return problem("has " + std::to_string(size.value().width) + "x" +
-                 std::to_string(size.value().height) + " pixels, but the first image has " +
-                 std::to_string(expected.width) + "x" + std::to_string(expected.height));
-}
-
-Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expected, int bits,
-                             ImageNotes& notes) {
-  Result<std::vector<std::uint8_t>> bytes = checkedBytes(file, expected);
-  if (!bytes.isOk()) return bytes.status();
-  notes.orientation = orientationOf(bytes.value());
-  Result<Image> image = isPng(bytes.value()) ? decodePng(bytes.value(), colour, bits, &notes.values)
-                                             : jpeg_images::decodeJpeg(bytes.value(), colour);
-  if (!image.isOk()) return image;
-  if (ImageSize{image.value().width(), image.value().height()} != expected) {
-    return problem("has a damaged header");
-  }
-  return image;
-}
-
-/// Adds the name of the file to a failure, and the remedy if the file is damaged.
-Status named(const fs::path& file, const Status& status) {
-  const bool damaged = status.code() == StatusCode::InvalidInput;
-  return {status.code(),
-          file.string() + ": " + status.message() + std::string(damaged ? kRemedy : "")};
+/// A number as text that compares by length, then by characters; empty for what is none.
+std::string numberKey(std::string text, std::size_t decimals) {
+  const std::size_t point = text.find('.');
+  if ((point == std::string::npos ? 0 : text.size() - point) != decimals) return "";
+  std::erase(text, '.');
+  if (text.empty() || text.find_first_not_of(kDigits) != std::string::npos) return "";
+  const std::size_t first = text.find_first_not_of('0');
+  return first == std::string::npos ? "0" : text.substr(first);
 }
 
 }  // namespace
 
-Result<ImageSize> checkImageBytes(Bytes bytes) {
-  using namespace std::string_view_literals;
-  if (bytes.empty()) return problem("is empty");
-  if (isPng(bytes)) return checkPng(bytes);
-  if (asText(bytes).starts_with("\xff\xd8"sv)) return checkJpeg(bytes);
-  return problem("is neither a PNG nor a JPEG file");
+std::vector<fs::path> findImages(const fs::path& folder) {
+  std::vector<fs::path> images;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    if (isImage(entry->path())) images.push_back(entry->path());
+  }
+  if (failure) {
+    throw DataError(folder, file_opening::notOpened("cannot be read (" + failure.message() +
+                                                    "); check the path"));
+  }
+  if (images.empty()) throw DataError(folder, "has no .png or .jpg images; check the path");
+  std::ranges::sort(images);
+  return images;
 }
 
-Result<ImageHeader> checkImageFile(const fs::path& file) {
+std::vector<fs::path> numberedImages(const fs::path& folder) {
+  const std::vector<fs::path> images = findImages(folder);
+  if (images.size() == 1) return images;
+  std::vector<std::string> names;
+  for (const fs::path& image : images) names.push_back(image.stem().string());
+  names = middlesOf(std::move(names));
+  const std::size_t point = names.front().find('.');
+  const std::size_t decimals = point == std::string::npos ? 0 : names.front().size() - point;
+  std::vector<std::pair<std::string, fs::path>> keyed;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    keyed.emplace_back(numberKey(names[i], decimals), images[i]);
+    if (!keyed.back().first.empty()) continue;
+    throw DataError(folder,
+                    "has images whose order is not clear from their names, such as " +
+                        images.front().filename().string() + " and " +
+                        images.back().filename().string() +
+                        "; rename them to one prefix and a number each, or read them by the source "
+                        "`images` with their order in a file (list), or with their times as names "
+                        "(stamps_in_names)");
+  }
+  std::ranges::sort(keyed, [](const auto& a, const auto& b) {
+    return std::pair(a.first.size(), a.first) < std::pair(b.first.size(), b.first);
+  });
+  std::vector<fs::path> ordered;
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    if (i > 0 && keyed[i].first == keyed[i - 1].first) {
+      throw DataError(folder, "has two images of one number, " +
+                                  ordered.back().filename().string() + " and " +
+                                  keyed[i].second.filename().string() +
+                                  "; remove one of them, or put the images of each camera into a "
+                                  "folder of their own");
+    }
+    ordered.push_back(keyed[i].second);
+  }
+  return ordered;
+}
+
+std::vector<fs::path> listedImages(const fs::path& list, const fs::path& folder) {
+  std::vector<fs::path> images;
+  std::error_code ignored;
+  const std::string text = source_parameters::valueOf(text_encoding::readText(list));
+  for (const text_encoding::TextLine& line : text_encoding::contentLines(text)) {
+    const auto fields = text_encoding::splitFields(line.text);
+    const auto found = std::ranges::find_if(
+        fields, [](std::string_view field) { return isImage(fs::path(field)); });
+    if (found == fields.end() && line.number == 1) continue;  // the names of columns
+    if (found == fields.end()) throw DataError(list, line.number, "names no image; correct it");
+    const fs::path beside = list.parent_path() / *found;
+    images.push_back(fs::exists(beside, ignored) ? beside : folder / *found);
+  }
+  if (images.empty()) throw DataError(list, "names no images; write one name a line");
+  return images;
+}
+
+Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{512} << 20U;
+  std::error_code failure;
+  const std::uintmax_t size = fs::is_regular_file(file, failure) ? fs::file_size(file, failure) : 0;
+  if (size > kMostBytes) return Status::invalidInput("is larger than 512 MiB");
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (stream) return bytes;
+  const int error = errno == 0 ? EIO : errno;
+  if (error == ENOENT) return Status::invalidInput("is missing");
+  return Status::failed("cannot be read (" + std::generic_category().message(error) + ")" +
+                        (file_opening::isDescriptorLimit(error)
+                             ? file_opening::kMoreDescriptors
+                             : "; check its permissions and the disk"));
+}
+
+Result<coded_images::DepthValues> readDepthFile(const fs::path& file) {
   const Result<std::vector<std::uint8_t>> bytes = readBytes(file);
-  if (!bytes.isOk()) return named(file, bytes.status());
-  const Result<ImageSize> size = checkImageBytes(bytes.value());
-  if (!size.isOk()) return named(file, size.status());
-  return ImageHeader{size.value(), orientationOf(bytes.value())};
-}
-
-Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected, int bits,
-                            ImageNotes* notes) {
-  ImageNotes found;
-  if (notes != nullptr && notes->values.widths) found.values.widths.emplace();
-  Result<Image> image = checkAndDecode(file, colour, expected, bits, found);
-  if (notes != nullptr) *notes = found;
-  return image.isOk() ? image : named(file, image.status());
-}
-
-Result<std::vector<std::uint16_t>> readDepthFile(const fs::path& file, ImageSize expected) {
-  Result<std::vector<std::uint8_t>> bytes = checkedBytes(file, expected);
-  if (!bytes.isOk()) return named(file, bytes.status());
-  Result<std::vector<std::uint16_t>> depth = decodeDeepPng(bytes.value());
-  const auto pixels =
-      static_cast<std::size_t>(expected.width) * static_cast<std::size_t>(expected.height);
-  if (depth.isOk() && depth.value().size() != pixels) depth = problem("has a damaged header");
-  return depth.isOk() ? depth : named(file, depth.status());
+  if (!bytes.isOk()) return bytes.status();
+  return coded_images::decodeDepth(bytes.value());
 }
 
 }  // namespace tolman::image_folders

@@ -2,112 +2,108 @@
 #include "times_and_poses.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <utility>
+#include <chrono>
 
-#include "exact_decimal.hpp"
-#include "text_file.hpp"
+#include "base/number_text.hpp"
+#include "base/text_file.hpp"
+#include "data_error.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
+using source_parameters::DataError;
+using text_encoding::inQuotes;
+using text_encoding::parseSeconds;
+using text_encoding::TextLine;
 
 namespace {
 
-/// Index of `column` in the header, which is the first of `lines`; removes this line from them.
-std::optional<std::size_t> takeHeader(const fs::path& file, const std::string& column,
-                                      std::vector<TextLine>& lines, Inspection& inspection) {
-  if (lines.empty()) return std::nullopt;
-  const std::string header = lines.front().text;
-  const auto names = splitFields(header);
-  const auto found = std::find(names.begin(), names.end(), column);
-  if (found == names.end()) {
-    inspection.error(file, lines.front().number,
-                     "names no column " + inQuotes(column) + "; correct stamps_column");
-    return std::nullopt;
-  }
-  if (std::find(found + 1, names.end(), column) != names.end()) {
-    inspection.error(file, lines.front().number,
-                     "names two columns " + inQuotes(column) + "; rename one of them");
-    return std::nullopt;
-  }
-  lines.erase(lines.begin());
-  return static_cast<std::size_t>(found - names.begin());
+using Fields = std::vector<std::string_view>;
+
+/// Decimal exponent of the unit in nanoseconds: 9, 6, 3, 0.
+int digitsOf(TimeUnit unit) { return 9 - 3 * static_cast<int>(unit); }
+
+std::vector<TextLine> linesOf(const fs::path& file) {
+  std::vector<TextLine> lines =
+      text_encoding::contentLines(source_parameters::valueOf(text_encoding::readText(file)));
+  if (lines.empty()) throw DataError(file, "is empty; restore it");
+  return lines;
 }
 
-std::string nameOf(TimeUnit unit) {
-  return unit == TimeUnit::Seconds ? "seconds" : std::string(enumName(unit));
-}
-
-/// Whether the field is a whole number of more than 12 digits, as ns and us since 1970 are.
-bool isWhole(std::string_view field) {
-  return field.size() > 12 && field.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-/// The time in a line, in ns.
-std::optional<std::int64_t> parseTime(const fs::path& file, const TextLine& line,
-                                      std::optional<std::size_t> column, TimeUnit unit,
-                                      Inspection& inspection) {
-  const auto fields = splitFields(line.text);
-  if (fields.size() <= column.value_or(0) || (!column && fields.size() > 1)) {
-    inspection.error(file, line.number,
-                     "has " + std::to_string(fields.size()) +
-                         (column ? " columns, fewer than the first line"
-                                 : " columns; write one time a line, or set "
-                                   "stamps_column"));
-    return std::nullopt;
-  }
-  const std::string_view field = fields[column.value_or(0)];
+std::int64_t timeOf(const fs::path& file, int line, std::string_view field, TimeUnit unit) {
   const std::optional<std::int64_t> ns = parseSeconds(field, digitsOf(unit));
-  if (!ns) {
-    inspection.error(file, line.number,
-                     inQuotes(field) + " is no time in " + nameOf(unit) + "; correct it" +
-                         (isWhole(field) ? ", or set stamps_unit (of `images`) to ns or us" : ""));
-  } else if (*ns < 0) {
-    inspection.error(
-        file, line.number,
-        inQuotes(field) +
-            " is a time before 0, and times are counted from 0; add one number to all");
-  }
-  return ns;
+  if (ns && *ns >= 0) return *ns;
+  throw DataError(file, line,
+                  inQuotes(field) + " is no time in " + std::string(enumName(unit)) +
+                      " from 0; correct it, or set stamps_unit (of `images`)");
 }
 
-/// 12 numbers to a rigid motion; the identity after an error.
-Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspection& inspection) {
+/// `count` numbers of the fields from `first` on.
+std::vector<double> numbersOf(const fs::path& file, const TextLine& line, const Fields& fields,
+                              std::size_t first, std::size_t count) {
+  if (fields.size() != first + count) {
+    throw DataError(file, line.number,
+                    "has " + std::to_string(fields.size()) + " numbers instead of " +
+                        std::to_string(first + count) + "; correct the pose");
+  }
+  std::vector<double> numbers;
+  for (std::size_t i = first; i < fields.size(); ++i) {
+    const auto number = text_encoding::parseNumber(fields[i]);
+    if (!number) {
+      throw DataError(file, line.number,
+                      inQuotes(fields[i]) + " " +
+                          std::string(text_encoding::numberProblem(fields[i])) +
+                          "; correct the pose");
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+/// `count` digits at `at`, which follow the character `before` (0: none); -1 for others.
+int digitsAt(std::string_view text, std::size_t at, std::size_t count, char before) {
+  if (text.size() < at + count || (before != 0 && text[at - 1] != before)) return -1;
+  int value = 0;
+  for (const char c : text.substr(at, count)) {
+    if (c < '0' || c > '9') return -1;
+    value = 10 * value + (c - '0');
+  }
+  return value;
+}
+
+/// "2011-09-26", "13:02:25.964389445" to ns since 1970, as if it were UTC.
+std::optional<std::int64_t> dateOf(std::string_view day, std::string_view clock) {
+  const int year = digitsAt(day, 0, 4, 0);
+  const int month = digitsAt(day, 5, 2, '-');
+  const int of_month = digitsAt(day, 8, 2, '-');
+  const int hour = digitsAt(clock, 0, 2, 0);
+  const int minute = digitsAt(clock, 3, 2, ':');
+  const bool has_seconds = digitsAt(clock, 6, 2, ':') >= 0;
+  const std::int64_t ns = has_seconds ? parseSeconds(clock.substr(6)).value_or(-1) : -1;
+  const bool in_range = year >= 1970 && year <= 2100 && month > 0 && of_month > 0 && hour >= 0 &&
+                        hour <= 23 && minute >= 0 && minute <= 59 && ns >= 0 &&
+                        ns < 61'000'000'000 && day.size() == 10;
+  if (!in_range) return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(of_month))};
+  if (!date.ok()) return std::nullopt;
+  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
+  return ((days * 24 + hour) * 60 + minute) * 60'000'000'000 + ns;
+}
+
+Eigen::Isometry3d kittiPose(const fs::path& file, const TextLine& line) {
   constexpr double kTolerance = 1e-3;  // KITTI prints seven digits
   constexpr double kFarthest = 1e9;    // m; the bound of trajectories that are evaluated
-  const auto fields = splitFields(line.text);
-  if (fields.size() != 12) {
-    inspection.error(
-        file, line.number,
-        "has " + std::to_string(fields.size()) + " numbers; a pose has 12, row by row");
-    return Eigen::Isometry3d::Identity();
-  }
-  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> M;
-  for (int i = 0; i < 12; ++i) {
-    const std::string_view field = fields[static_cast<std::size_t>(i)];
-    const std::optional<double> number = parseNumber(field);
-    if (!number) {
-      inspection.error(file, line.number,
-                       inQuotes(field) + " " + std::string(numberProblem(field)) +
-                           "; correct the pose, or remove the file "
-                           "to run without truth");
-      return Eigen::Isometry3d::Identity();
-    }
-    M(i / 4, i % 4) = *number;
-  }
+  const std::vector<double> numbers =
+      numbersOf(file, line, text_encoding::splitFields(line.text), 0, 12);
+  const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> M(numbers.data());
   const Eigen::Matrix3d R = M.leftCols<3>();
   if (!(R.transpose() * R).isIdentity(kTolerance) || R.determinant() < 0) {
-    inspection.error(file, line.number,
-                     "its first three columns are no rotation; write camera-to-world poses");
-    return Eigen::Isometry3d::Identity();
+    throw DataError(file, line.number,
+                    "has no rotation in its first three columns; write camera-to-world poses");
   }
   if ((M.col(3).array().abs() > kFarthest).any()) {
-    inspection.error(file, line.number,
-                     "its position is beyond 1e9 m; write metres, as the fourth, eighth and "
-                     "twelfth number");
-    return Eigen::Isometry3d::Identity();
+    throw DataError(file, line.number, "has a position beyond 1e9 m; write metres");
   }
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = Eigen::Quaterniond(R).normalized().toRotationMatrix();
@@ -115,149 +111,131 @@ Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspecti
   return T;
 }
 
-/// What to do about times of another unit than the one in which they are read.
-std::string otherUnit(TimeUnit unit) {
-  return "is their unit another than " + nameOf(unit) +
-         "? Set stamps_unit (of `images`; `euroc` reads nanoseconds, so use `images` with "
-         "stamps_in_names for other units)";
-}
-
-/// Warns of median steps that cameras hardly have, such as seconds read as nanoseconds give them.
-void checkShortStep(const fs::path& file, std::int64_t usual_ns, TimeUnit unit,
-                    Inspection& inspection) {
-  constexpr std::int64_t kShortest_ns = 100'000;  // 10 kHz
-  if (usual_ns <= 0 || usual_ns >= kShortest_ns) return;
-  inspection.warning(file, "has images " + std::to_string(usual_ns) +
-                               " ns apart (median), more than 10000 a second, by times in " +
-                               nameOf(unit) + "; " + otherUnit(unit));
-}
-
-/// Warns of gaps of more than a day that are also longer than a thousand median steps. Detects
-/// times with a wrong unit by their median step: milliseconds read as seconds give cameras of 10 to
-/// 100 Hz steps of 100 to 10 s, and no odometry can follow images that are so far apart.
-void checkStep(const fs::path& file, const std::vector<std::int64_t>& times, TimeUnit unit,
-               Inspection& inspection) {
-  constexpr std::int64_t kDay_ns = 86'400'000'000'000;
-  constexpr std::int64_t kUnusual_ns = 5'000'000'000;
-  constexpr std::int64_t kImpossible_ns = 10'000'000'000;
-  if (times.size() < 2) return;
-  const std::int64_t usual = medianStep(times);
-  checkShortStep(file, usual, unit, inspection);
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    const std::int64_t step = times[i + 1] - times[i];
-    if (step < kDay_ns || step / 1000 < usual) continue;
-    inspection.warning(file, "image " + std::to_string(i + 1) + " is " +
-                                 fixed(static_cast<double>(step) * 1e-9, 0) +
-                                 " s after the one before; a realtime run waits as long");
+Eigen::Isometry3d tumPose(const fs::path& file, const TextLine& line, const Fields& fields) {
+  constexpr double kFarthest = 1e9;  // m; the bound of trajectories that are evaluated
+  const std::vector<double> v = numbersOf(file, line, fields, 1, 7);
+  const Eigen::Vector3d t(v[0], v[1], v[2]);
+  const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
+  if (std::abs(q.norm() - 1) > 0.01 || (t.array().abs() > kFarthest).any()) {
+    throw DataError(file, line.number,
+                    "is no pose 'seconds tx ty tz qx qy qz qw' with a quaternion of length 1; "
+                    "correct it");
   }
-  if (usual <= kUnusual_ns) return;
-  const std::string found =
-      "has images " + fixed(static_cast<double>(usual) * 1e-9, 1) + " s apart (median); ";
-  if (usual > kImpossible_ns) {
-    inspection.error(file, found +
-                               "times are in seconds: divide nanoseconds by 1e9, microseconds by "
-                               "1e6, milliseconds by 1000, or set stamps_unit (of `images`)");
-  } else {
-    inspection.warning(file, found + "if the times are in milliseconds, divide them by 1000");
-  }
-}
-
-/// Different numbers that are the same time were rounded to nanoseconds.
-void reportEqual(const fs::path& before, const fs::path& file, TimeUnit unit,
-                 Inspection& inspection) {
-  const bool is_rounded =
-      parseExactDecimal(before.stem().string()) != parseExactDecimal(file.stem().string());
-  inspection.error(file,
-                   "its name is the same time as that of " + before.filename().string() +
-                       (is_rounded ? ", because times in " + nameOf(unit) +
-                                         " are rounded to whole nanoseconds; " + otherUnit(unit)
-                                   : "; correct one of the names, or remove one of the images"));
+  return Eigen::Isometry3d(Eigen::Translation3d(t) * q.normalized());
 }
 
 }  // namespace
 
-std::int64_t medianStep(std::span<const std::int64_t> times) {
-  std::vector<std::int64_t> steps(times.size() - 1);
-  std::transform(times.begin() + 1, times.end(), times.begin(), steps.begin(), std::minus<>());
-  const auto median = steps.begin() + std::ssize(steps) / 2;
-  std::nth_element(steps.begin(), median, steps.end());
-  return *median;
-}
-
 std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& column,
-                                    Inspection& inspection, TimeUnit unit) {
-  std::vector<TextLine> lines = readLines(file, inspection);
-  std::optional<std::size_t> index;
+                                    TimeUnit unit) {
+  std::vector<TextLine> lines = linesOf(file);
+  std::size_t index = 0;
   if (!column.empty()) {
-    index = takeHeader(file, column, lines, inspection);
-    if (!index) return {};
+    const Fields names = text_encoding::splitFields(lines.front().text);
+    index = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
+    if (index == names.size()) {
+      throw DataError(file, lines.front().number,
+                      "names no column " + inQuotes(column) + "; correct stamps_column");
+    }
+    lines.erase(lines.begin());
   }
   std::vector<std::int64_t> times;
-  std::optional<std::int64_t> previous;
-  bool sound = true;
   for (const TextLine& line : lines) {
-    const std::optional<std::int64_t> ns = parseTime(file, line, index, unit, inspection);
-    times.push_back(ns.value_or(0));
-    if (ns && previous && *ns <= *previous) {
-      const double back = static_cast<double>(*previous - *ns) * 1e-9;
-      inspection.error(file, line.number,
-                       back > 0 ? "time goes back by " + fixed(back, 6) + " s; sort the data"
-                                : "has the time of the frame before; remove one of the two");
+    const Fields fields = text_encoding::splitFields(line.text);
+    if (fields.size() <= index || (column.empty() && fields.size() > 1)) {
+      throw DataError(file, line.number,
+                      "has " + std::to_string(fields.size()) + " columns; " +
+                          (column.empty() ? "write one time a line, or set stamps_column"
+                                          : "complete the line"));
     }
-    if (ns) previous = ns;
-    sound = sound && ns;
+    times.push_back(timeOf(file, line.number, fields[index], unit));
   }
-  if (sound) checkStep(file, times, unit, inspection);
   return times;
 }
 
-std::vector<std::int64_t> sortByTimes(std::vector<fs::path>& files, TimeUnit unit,
-                                      Inspection& inspection) {
-  constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();  // beyond all times
-  std::vector<std::pair<std::int64_t, fs::path>> timed;
-  for (const fs::path& file : files) {
-    const std::optional<std::int64_t> ns = parseSeconds(file.stem().string(), digitsOf(unit));
-    if (!ns) {
-      inspection.error(
-          file, "its name is no time in " + nameOf(unit) + "; name the file of times by stamps");
-    }
-    if (ns && *ns < 0) {
-      inspection.error(
-          file, "its name is a time before 0, and times are counted from 0; add one number to all");
-    }
-    timed.emplace_back(ns.value_or(kNone), file);
-  }
-  std::ranges::stable_sort(timed, {}, [](const auto& image) { return image.first; });
+std::vector<std::int64_t> readDates(const fs::path& file) {
   std::vector<std::int64_t> times;
-  for (std::size_t i = 0; i < timed.size(); ++i) {
-    files[i] = timed[i].second;
-    const bool is_time = timed[i].first != kNone;
-    if (i > 0 && is_time && timed[i].first == timed[i - 1].first) {
-      reportEqual(files[i - 1], files[i], unit, inspection);
+  for (const TextLine& line : linesOf(file)) {
+    const Fields fields = text_encoding::splitFields(line.text);
+    const auto ns = fields.size() == 2 ? dateOf(fields[0], fields[1]) : std::nullopt;
+    if (!ns) {
+      throw DataError(file, line.number,
+                      "is no date and time such as 2011-09-26 13:02:25.964389445; correct it");
     }
-    times.push_back(is_time ? timed[i].first : 0);
-  }
-  if (!inspection.hasErrors() && !files.empty()) {
-    checkStep(files.front().parent_path(), times, unit, inspection);
+    times.push_back(*ns);
   }
   return times;
 }
 
-std::vector<Eigen::Isometry3d> readKittiPoses(const fs::path& file, Inspection& inspection,
-                                              std::vector<int>* lines) {
+StampedFiles readStampedFiles(const fs::path& file, TimeUnit unit, const fs::path& folder,
+                              FindingCollector& findings) {
+  StampedFiles list;
+  for (const TextLine& line : linesOf(file)) {
+    const Fields fields = text_encoding::splitFields(line.text);
+    if (fields.size() != 2) throw DataError(file, line.number, "is not 'TIME FILE'; correct it");
+    const std::int64_t ns = timeOf(file, line.number, fields[0], unit);
+    if (!list.stamps_ns.empty() && ns <= list.stamps_ns.back()) {
+      findings.add({Finding::Severity::Error, file.string() + ":" + std::to_string(line.number),
+                    "is no later than the line before", "sort the file",
+                    Finding::Kind::Contradiction});
+      continue;
+    }
+    list.stamps_ns.push_back(ns);
+    list.files.push_back(folder / fields[1]);
+  }
+  return list;
+}
+
+StampedFiles sortedByTimes(std::vector<fs::path> images, TimeUnit unit) {
+  std::vector<std::pair<std::int64_t, fs::path>> timed;
+  for (fs::path& image : images) {
+    timed.emplace_back(timeOf(image, 0, image.stem().string(), unit), std::move(image));
+  }
+  std::ranges::sort(timed);
+  StampedFiles sorted;
+  for (auto& [stamp, image] : timed) {
+    sorted.stamps_ns.push_back(stamp);
+    sorted.files.push_back(std::move(image));
+  }
+  return sorted;
+}
+
+std::vector<Eigen::Isometry3d> readKittiPoses(const fs::path& file) {
   std::vector<Eigen::Isometry3d> poses;
-  for (const TextLine& line : readLines(file, inspection)) {
-    poses.push_back(parsePose(file, line, inspection));
-    if (lines != nullptr) lines->push_back(line.number);
+  for (const TextLine& line : linesOf(file)) poses.push_back(kittiPose(file, line));
+  return poses;
+}
+
+StampedPoses readTumPoses(const fs::path& file) {
+  StampedPoses poses;
+  for (const TextLine& line : linesOf(file)) {
+    const Fields fields = text_encoding::splitFields(line.text);
+    const std::int64_t ns = timeOf(file, line.number, fields.front(), TimeUnit::Seconds);
+    if (!poses.stamps_ns.empty() && ns <= poses.stamps_ns.back()) {
+      throw DataError(file, line.number, "is no later than the line before; sort the file");
+    }
+    poses.T_world_camera.push_back(tumPose(file, line, fields));
+    poses.stamps_ns.push_back(ns);
   }
   return poses;
 }
 
-void checkCount(const fs::path& file, std::size_t entries, std::size_t images,
-                Inspection& inspection) {
-  if (entries == 0 || images == 0 || entries == images) return;
-  inspection.error(file, "has " + std::to_string(entries) + " entries, but there are " +
-                             std::to_string(images) + " images; one line per image is needed");
+std::optional<Eigen::Isometry3d> poseAt(const StampedPoses& poses, std::int64_t stamp_ns,
+                                        std::int64_t apart_ns) {
+  const auto& stamps = poses.stamps_ns;
+  const auto after = std::lower_bound(stamps.begin(), stamps.end(), stamp_ns);
+  if (after == stamps.end() || *after - stamp_ns > apart_ns) return std::nullopt;
+  const auto i = static_cast<std::size_t>(after - stamps.begin());
+  if (*after == stamp_ns) return poses.T_world_camera[i];
+  if (i == 0 || stamp_ns - after[-1] > apart_ns) return std::nullopt;
+  const Eigen::Isometry3d& a = poses.T_world_camera[i - 1];
+  const Eigen::Isometry3d& b = poses.T_world_camera[i];
+  const double share =
+      static_cast<double>(stamp_ns - after[-1]) / static_cast<double>(*after - after[-1]);
+  const Eigen::Quaterniond q =
+      Eigen::Quaterniond(a.linear()).slerp(share, Eigen::Quaterniond(b.linear()));
+  return Eigen::Isometry3d(
+      Eigen::Translation3d((1 - share) * a.translation() + share * b.translation()) * q);
 }
 
 }  // namespace tolman::image_folders

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads stamps (times.txt or a column of a table; ns) and true poses (poses.txt; m), one line per
-// frame.
+// Reads times (ns) and true poses (m) of images. Functions throw DataError, which names file and
+// line, unless they say otherwise.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "inspection.hpp"
+#include "tolman/context.hpp"
 
 namespace tolman::image_folders {
 
@@ -20,34 +21,42 @@ enum class TimeUnit : std::uint8_t { Seconds, Milliseconds, Microseconds, Nanose
 inline constexpr std::array<std::string_view, 4> kTimeUnitNames = {"s", "ms", "us", "ns"};
 constexpr std::span<const std::string_view> enumNames(TimeUnit) { return kTimeUnitNames; }
 
-/// Decimal exponent of the unit in nanoseconds: 9, 6, 3, 0.
-constexpr int digitsOf(TimeUnit unit) { return 9 - 3 * static_cast<int>(unit); }
-
-/// Stamps in ns; they must increase strictly. `column` is a name in the first line of the table, or
-/// empty for a file with one number per line. A line with an error gives an error in `inspection`
-/// and still counts as an entry. A median step that suggests another unit is an error (over 10 s)
-/// or a warning (over 5 s, below 0.1 ms).
+/// `column` is a name in the first line of a table, or empty for a file with one time per line.
 std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std::string& column,
-                                    Inspection& inspection, TimeUnit unit = TimeUnit::Seconds);
+                                    TimeUnit unit);
 
-/// Of at least two times, ns. Half of the steps are shorter.
-std::int64_t medianStep(std::span<const std::int64_t> times);
+/// timestamps.txt of KITTI's raw data, "2011-09-26 13:02:25.964389445" per line, as ns since 1970.
+std::vector<std::int64_t> readDates(const std::filesystem::path& file);
 
-/// Sorts the files by the times that are their names (a number with sign, decimals and exponent),
-/// and returns these in ns. A name that is no time and two equal times are errors, and the median
-/// step is checked as by readTimes().
-std::vector<std::int64_t> sortByTimes(std::vector<std::filesystem::path>& files, TimeUnit unit,
-                                      Inspection& inspection);
+/// Files with the time of each.
+struct StampedFiles {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::int64_t> stamps_ns;
+};
 
-/// KITTI's poses: T_world_camera0 as 12 numbers per line, row by row, m. The number of the line of
-/// each is added to `lines`.
-std::vector<Eigen::Isometry3d> readKittiPoses(const std::filesystem::path& file,
-                                              Inspection& inspection,
-                                              std::vector<int>* lines = nullptr);
+/// A file of lines "TIME NAME"; the names are relative to `folder`. A line whose time is not later
+/// than the one before becomes an error in `findings` and is left out.
+StampedFiles readStampedFiles(const std::filesystem::path& file, TimeUnit unit,
+                              const std::filesystem::path& folder, FindingCollector& findings);
 
-/// Adds an error unless `file` has as many entries as there are images. No error for no entries:
-/// there is one already.
-void checkCount(const std::filesystem::path& file, std::size_t entries, std::size_t images,
-                Inspection& inspection);
+/// Images whose names are their times, sorted by these.
+StampedFiles sortedByTimes(std::vector<std::filesystem::path> images, TimeUnit unit);
+
+/// KITTI's poses: T_world_camera0 as 12 numbers per line, row by row.
+std::vector<Eigen::Isometry3d> readKittiPoses(const std::filesystem::path& file);
+
+/// True poses with their own times, which increase.
+struct StampedPoses {
+  std::vector<std::int64_t> stamps_ns;
+  std::vector<Eigen::Isometry3d> T_world_camera;
+};
+
+/// Lines "seconds tx ty tz qx qy qz qw", as the TUM benchmarks have them.
+StampedPoses readTumPoses(const std::filesystem::path& file);
+
+/// The pose at `stamp_ns`, interpolated between the measured ones before and after it; empty if one
+/// of these is more than `apart_ns` away.
+std::optional<Eigen::Isometry3d> poseAt(const StampedPoses& poses, std::int64_t stamp_ns,
+                                        std::int64_t apart_ns);
 
 }  // namespace tolman::image_folders

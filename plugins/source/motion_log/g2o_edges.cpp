@@ -3,15 +3,13 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
 
 #include "base/number_text.hpp"
-#include "base/open_files.hpp"
-#include "base/text_encoding.hpp"
+#include "base/text_file.hpp"
 
 namespace tolman::motion_log {
 namespace {
@@ -95,44 +93,26 @@ Edge parseEdge(std::istringstream& fields, int line) {
   return edge;
 }
 
-/// Reads a line, without the byte order mark that some editors write before UTF-8.
-bool readLine(std::ifstream& stream, std::string& line, int& number) {
-  if (!std::getline(stream, line)) return false;
-  if (++number == 1) line = text_encoding::withoutMark(line);
-  return true;
-}
-
-bool isPassedOver(const std::string& tag) {
-  return tag.empty() || tag.front() == '#' || tag.starts_with("VERTEX") || tag == "FIX";
-}
+bool isPassedOver(const std::string& tag) { return tag.starts_with("VERTEX") || tag == "FIX"; }
 
 }  // namespace
 
 Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
-  std::error_code ignored;  // a pipe would wait for its writer
-  std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
-  if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + " " +
-                                file_opening::notOpened("is not a readable file; check the path"));
-  }
-  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
-    return Status::invalidInput(file.string() + ": " + problem);
-  }
+  const Result<std::string> text = text_encoding::readText(file);
+  if (!text.isOk()) return text.status();
   std::vector<Edge> edges;
-  int number = 0;
-  for (std::string line; readLine(stream, line, number);) {
-    std::istringstream fields(line);
+  for (const text_encoding::TextLine& line : text_encoding::contentLines(text.value())) {
+    std::istringstream fields(line.text);
     std::string tag;
     fields >> tag;
     if (isPassedOver(tag)) continue;
     if (tag != "EDGE_SE2") {
-      return badLine(file, number, "is no EDGE_SE2; a motion log has planar edges only");
+      return badLine(file, line.number, "is no EDGE_SE2; a motion log has planar edges only");
     }
     try {
-      edges.push_back(parseEdge(fields, number));
+      edges.push_back(parseEdge(fields, line.number));
     } catch (const LineError& error) {
-      return badLine(file, number, error.what);
+      return badLine(file, line.number, error.what);
     }
   }
   return edges;

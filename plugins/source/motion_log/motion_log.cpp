@@ -36,11 +36,7 @@ Status MotionLog::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
-  ready_ = load();
-  for (const auto& [file, text] : doubts_) {
-    context.findings.add({Finding::Severity::Warning, file, text});
-  }
-  return ready_;
+  return ready_ = load(context.findings);
 }
 
 /// The file of the default name may be missing; one that was named, or a link to nothing, may not.
@@ -58,13 +54,7 @@ Status MotionLog::loadTruth(const fs::path& file) {
                               "; give the truth of this sequence");
 }
 
-void MotionLog::addDoubts(const std::string& name, std::vector<std::string> texts) {
-  const std::string file = (fs::path(parameters_.path) / name).string();
-  for (std::string& text : texts) doubts_.emplace_back(file, std::move(text));
-}
-
-Status MotionLog::load() {
-  doubts_.clear();
+Status MotionLog::load(FindingCollector& findings) {
   const fs::path folder = parameters_.path;
   Result<std::vector<PlanarPose>> poses = readChain(folder / parameters_.odometry);
   if (!poses.isOk()) return poses.status();
@@ -72,11 +62,16 @@ Status MotionLog::load() {
   drive_ = digest(poses_);
   if (Status status = loadTruth(folder / parameters_.truth); !status.isOk()) return status;
   if (Status status = loadCandidates(); !status.isOk()) return status;
-  addDoubts(parameters_.odometry, unitDoubts(poses_, parameters_.rate));
-  addDoubts(parameters_.truth, unitDoubts(truth_, parameters_.rate));
   std::vector<Edge> candidates;
   for (const auto& [from, edge] : candidates_) candidates.push_back(edge);
-  addDoubts(parameters_.candidates, candidateDoubts(candidates, poses_));
+  const auto report = [&](const std::string& name, const std::vector<std::string>& doubts) {
+    for (const std::string& doubt : doubts) {
+      findings.add({Finding::Severity::Warning, (folder / name).string(), doubt});
+    }
+  };
+  report(parameters_.odometry, unitDoubts(poses_, parameters_.rate));
+  report(parameters_.truth, unitDoubts(truth_, parameters_.rate));
+  report(parameters_.candidates, candidateDoubts(candidates, poses_));
   std::vector<std::int64_t> stamps;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     stamps.push_back(std::llround(static_cast<double>(i) * 1e9 / parameters_.rate));

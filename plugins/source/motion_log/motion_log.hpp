@@ -12,7 +12,6 @@
 #include <string>
 #include <string_view>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "g2o_edges.hpp"
@@ -79,16 +78,14 @@ class MotionLog final : public Source, public ArrayDescriptions {
 
  private:
   Status loadTruth(const std::filesystem::path& file);
-  Status load();
-  void addDoubts(const std::string& name, std::vector<std::string> texts);
+  Status load(FindingCollector& findings);
   Status loadCandidates();
   void addCandidates(std::int64_t here, Frame& frame) const;
 
   Parameters parameters_;
   Status ready_ = Status::failed("configure() was not called");
-  std::vector<PlanarPose> poses_;                            ///< by odometry
-  std::vector<PlanarPose> truth_;                            ///< empty without true poses
-  std::vector<std::pair<std::string, std::string>> doubts_;  ///< file and text, see unitDoubts()
+  std::vector<PlanarPose> poses_;  ///< by odometry
+  std::vector<PlanarPose> truth_;  ///< empty without true poses
   std::multimap<std::int64_t, Edge> candidates_;
   std::set<std::int64_t> looked_;  ///< ends of candidates
   float drive_ = 0;                ///< motion.drive

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
-#include "value_widths.hpp"
 
 namespace tolman::video {
 
@@ -20,16 +21,9 @@ struct PictureSize {
 /// One picture. Its image is empty if it was not requested or is damaged.
 struct Picture {
   Image image;
-  std::int64_t stamp_ns = 0;                   ///< of a file: since its first picture
-  bool timed = false;                          ///< false: the file contains no times
-  std::string defect;                          ///< why the image is missing
-  source_parameters::ValueWidths widths = {};  ///< of its values, if they are grey with 16 bits
-};
-
-/// What was found at the end of a stream; texts for people, empty if nothing.
-struct StreamEnd {
-  std::string defect;   ///< why it is incomplete, with a remedy
-  std::string warning;  ///< what can be wrong with it
+  std::int64_t stamp_ns = 0;  ///< of a file: since its first picture
+  bool timed = false;         ///< false: the file contains no times
+  std::string defect;         ///< why the image is missing
 };
 
 class Capture {
@@ -41,8 +35,10 @@ class Capture {
   virtual std::string description() const = 0;
   /// The next picture; `wanted`: with its pixels. EndOfStream after the last.
   virtual Status next(bool wanted, Picture& picture) = 0;
-  /// After EndOfStream.
-  virtual StreamEnd end() const { return {}; }
+  /// After EndOfStream: why the stream is not complete; empty if it is.
+  virtual std::string defectOfEnd() const { return {}; }
 };
+
+using OpenCapture = std::function<Result<std::unique_ptr<Capture>>()>;
 
 }  // namespace tolman::video

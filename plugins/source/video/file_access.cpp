@@ -10,30 +10,17 @@
 #include <string>
 #include <system_error>
 
-#include "base/open_files.hpp"
-
 namespace tolman::video {
 namespace {
 
 Status cannotOpen(const std::string& path, int error) {
-  const std::string cause = std::generic_category().message(error);
-  const bool device = path.starts_with("/dev/");
-  std::string remedy = "check its permissions and the disk";
-  if (error == ENOENT || error == ENOTDIR) {
-    remedy = device ? "connect the camera; `ls /dev/video*` lists those that are there"
-                    : "check the path";
-  } else if (error == EACCES && device) {
-    remedy = "add the user to the group video";
-  } else if (error == EBUSY) {
-    remedy = "close the program that uses it (`fuser " + path + "`)";
-  } else if (error == ENODEV || error == ENXIO) {
-    remedy = "connect the camera";
-  } else if (file_opening::isDescriptorLimit(error)) {
-    remedy = "allow more open files (`ulimit -n`)";
-  }
-  const Status status =
-      Status::invalidInput(path + ": cannot be opened (" + cause + "); " + remedy);
-  return file_opening::isDescriptorLimit(error) ? Status::failed(status.message()) : status;
+  const char* const remedy = path.starts_with("/dev/")
+                                 ? "connect the camera (`ls /dev/video*` lists those that are "
+                                   "there), close other programs "
+                                   "that use it, and add the user to the group video"
+                                 : "check path and permissions";
+  return Status::invalidInput(path + ": cannot be opened (" +
+                              std::generic_category().message(error) + "); " + remedy);
 }
 
 Status waitForData(const std::string& path, int pipe, const Cancellation& cancellation,

@@ -16,13 +16,13 @@ Status FrameReader::rewind() {
   return Status::ok();
 }
 
-Status FrameReader::readTimes(std::vector<Picture>& pictures, StreamEnd& end) {
+Status FrameReader::readTimes(std::vector<Picture>& pictures, std::string& defect) {
   if (Status status = rewind(); !status.isOk()) return status;
   while (true) {
     Picture picture;
     const Status status = capture_->next(false, picture);
     if (status.code() == StatusCode::EndOfStream) {
-      end = capture_->end();
+      defect = capture_->defectOfEnd();
       return rewind();
     }
     if (!status.isOk()) return status;

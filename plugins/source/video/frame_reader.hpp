@@ -5,15 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "capture.hpp"
 
 namespace tolman::video {
-
-using OpenCapture = std::function<Result<std::unique_ptr<Capture>>()>;
 
 /// In forward order each picture is decoded once. A step back decodes the file again from its start
 /// and keeps as many pictures before the wanted one as fit into `most_bytes`.
@@ -22,8 +19,8 @@ class FrameReader {
   explicit FrameReader(OpenCapture open, std::size_t most_bytes = std::size_t{256} << 20U)
       : open_(std::move(open)), most_bytes_(most_bytes) {}
 
-  /// Decodes the whole file for the times of all pictures. `end`: Capture::end().
-  Status readTimes(std::vector<Picture>& pictures, StreamEnd& end);
+  /// Decodes the whole file for the times of all pictures. `defect`: Capture::defectOfEnd().
+  Status readTimes(std::vector<Picture>& pictures, std::string& defect);
   /// Picture `index`, which must exist.
   Status read(std::int64_t index, Picture& picture);
 

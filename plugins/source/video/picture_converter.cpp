@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_converter.hpp"
 
-#include <algorithm>
 #include <array>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <string>
 
 #include "tolman/image_cv.hpp"
 
@@ -42,33 +42,42 @@ AVPixelFormat plainFormat(AVPixelFormat format) {
   }
 }
 
+PictureSize halved(PictureSize size, PictureLayout layout) {
+  if (layout == PictureLayout::SideBySide) size.width /= 2;
+  if (layout == PictureLayout::TopBottom) size.height /= 2;
+  return size;
+}
+
+/// The part of `picture` of this size that begins at column x and row y.
+Image part(const Image& picture, int x, int y, PictureSize size) {
+  const std::ptrdiff_t column = std::ptrdiff_t{x} * bytesPerPixel(picture.format());
+  return {picture.row(y) + column, size.width,       size.height,
+          picture.stride(),        picture.format(), picture.owner()};
+}
+
 }  // namespace
 
-PictureConverter::PictureConverter(bool colour, int bits, int quarter_turns)
+PictureConverter::PictureConverter(bool colour, source_parameters::UsedBits& bits,
+                                   int quarter_turns)
     : colour_(colour), bits_(bits), quarter_turns_(quarter_turns) {}
 
 PictureConverter::~PictureConverter() { sws_freeContext(scaler_); }
 
-Image PictureConverter::narrowed(const AVFrame& picture,
-                                 source_parameters::ValueWidths& widths) const {
+Image PictureConverter::narrowed(const AVFrame& picture) const {
   cv::Mat grey(picture.height, picture.width, CV_8UC1);
   for (int y = 0; y < picture.height; ++y) {
     const auto* row = reinterpret_cast<const std::uint16_t*>(
         picture.data[0] + std::ptrdiff_t{y} * picture.linesize[0]);
     auto* narrow = grey.ptr<std::uint8_t>(y);
-    for (int x = 0; x < picture.width; ++x) {
-      widths.add(row[x]);
-      narrow[x] = static_cast<std::uint8_t>(std::min(row[x] >> (bits_ - 8), 255));
-    }
+    for (int x = 0; x < picture.width; ++x) narrow[x] = bits_.convert(row[x]);
   }
   if (colour_) cv::cvtColor(grey, grey, cv::COLOR_GRAY2BGR);
   return asImage(grey);
 }
 
-Result<Image> PictureConverter::convert(const AVFrame& picture,
-                                        source_parameters::ValueWidths& widths) {
+Result<Image> PictureConverter::convert(const AVFrame& picture) {
   const auto format = static_cast<AVPixelFormat>(picture.format);
-  if (format == AV_PIX_FMT_GRAY16) return turned(narrowed(picture, widths), quarter_turns_);
+  if (format == AV_PIX_FMT_GRAY16) return turned(narrowed(picture), quarter_turns_);
   const AVPixelFormat plain = plainFormat(format);
   scaler_ = sws_getCachedContext(scaler_, picture.width, picture.height, plain, picture.width,
                                  picture.height, colour_ ? AV_PIX_FMT_BGR24 : AV_PIX_FMT_GRAY8,
@@ -94,6 +103,30 @@ Result<Image> PictureConverter::convert(const AVFrame& picture,
   if (rows != picture.height) return Status::failed("a picture could not be converted");
   const Image image(pixels.get(), picture.width, picture.height, stride, wanted, pixels);
   return turned(image, quarter_turns_);
+}
+
+Result<PictureSize> cameraSize(PictureSize picture, PictureLayout layout) {
+  const PictureSize size = halved(picture, layout);
+  const bool whole = (layout != PictureLayout::SideBySide || size.width * 2 == picture.width) &&
+                     (layout != PictureLayout::TopBottom || size.height * 2 == picture.height);
+  if (whole && size.width > 0 && size.height > 0) return size;
+  return Status::invalidParameter(
+      "pictures of " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+      " px are not two equal halves " +
+      (layout == PictureLayout::SideBySide ? "side by side" : "one above the other") +
+      "; correct layout");
+}
+
+Image leftImage(const Image& picture, PictureLayout layout) {
+  if (picture.empty() || layout == PictureLayout::Mono) return picture;
+  return part(picture, 0, 0, halved({picture.width(), picture.height()}, layout));
+}
+
+Image rightImage(const Image& picture, PictureLayout layout) {
+  if (picture.empty() || layout == PictureLayout::Mono) return {};
+  const PictureSize size = halved({picture.width(), picture.height()}, layout);
+  const bool beside = layout == PictureLayout::SideBySide;
+  return part(picture, beside ? size.width : 0, beside ? 0 : size.height, size);
 }
 
 }  // namespace tolman::video

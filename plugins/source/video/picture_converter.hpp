@@ -1,35 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decoded pictures of any pixel format as grey or colour images.
+// Decoded pictures of any pixel format as grey or colour images, and the two cameras in one
+// picture.
 #pragma once
 
-#include <memory>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "capture.hpp"
-#include "value_widths.hpp"
+#include "used_bits.hpp"
 
 struct AVFrame;
 struct SwsContext;
 
 namespace tolman::video {
 
+enum class PictureLayout : std::uint8_t {
+  Mono,        ///< one camera
+  SideBySide,  ///< left camera in the left half, right camera in the right half
+  TopBottom,   ///< left camera in the upper half, right camera in the lower half
+};
+inline constexpr std::array<std::string_view, 3> kPictureLayoutNames = {"mono", "side_by_side",
+                                                                        "top_bottom"};
+constexpr std::span<const std::string_view> enumNames(PictureLayout) { return kPictureLayoutNames; }
+
+/// Size of one camera's image. InvalidParameter for a picture that cannot be halved.
+Result<PictureSize> cameraSize(PictureSize picture, PictureLayout layout);
+
+/// The image of the left (or only) camera, a view of the same pixels.
+Image leftImage(const Image& picture, PictureLayout layout);
+/// The image of the right camera; empty for one camera.
+Image rightImage(const Image& picture, PictureLayout layout);
+
 /// Converts to Gray8 (luminance, black 0 and white 255) or Bgr8, and turns the picture clockwise.
 class PictureConverter {
  public:
-  /// `bits`: of grey pictures of 16 bits, the 8 highest of the lowest `bits` are taken, and larger
-  /// values become 255. `quarter_turns`: 0 to 3, the display rotation that the file gives.
-  PictureConverter(bool colour, int bits, int quarter_turns);
+  /// `bits`: how grey pictures of 16 bits are converted; it must outlive this object.
+  /// `quarter_turns`: 0 to 3, the display rotation that the file gives.
+  PictureConverter(bool colour, source_parameters::UsedBits& bits, int quarter_turns);
   ~PictureConverter();
   PictureConverter(const PictureConverter&) = delete;
   PictureConverter& operator=(const PictureConverter&) = delete;
 
-  /// Counts the values of grey pictures of 16 bits in `widths`.
-  Result<Image> convert(const AVFrame& picture, source_parameters::ValueWidths& widths);
+  Result<Image> convert(const AVFrame& picture);
 
  private:
-  Image narrowed(const AVFrame& picture, source_parameters::ValueWidths& widths) const;
+  Image narrowed(const AVFrame& picture) const;
 
   bool colour_;
-  int bits_;
+  source_parameters::UsedBits& bits_;
   int quarter_turns_;
   SwsContext* scaler_ = nullptr;  ///< recreated by libswscale when size or format changes
 };

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "video_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <optional>
-#include <span>
+#include <string_view>
 
-#include "jpeg_decoder.hpp"
-#include "libav_error.hpp"
+#include "base/text_file.hpp"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -21,11 +16,18 @@ extern "C" {
 namespace tolman::video {
 namespace {
 
-constexpr std::int64_t kMaxPixels = 100'000'000;
+constexpr std::int64_t kMostPixels = 100'000'000;
 
 /// FFmpeg's callback to stop waiting.
 int isCancelled(void* cancellation) {
   return static_cast<const Cancellation*>(cancellation)->requested() ? 1 : 0;
+}
+
+/// The text of one of FFmpeg's error codes.
+std::string libavError(int code) {
+  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+  av_strerror(code, text.data(), text.size());
+  return text.data();
 }
 
 /// Clockwise display rotation of the stream, in quarter turns.
@@ -37,82 +39,16 @@ int quarterTurns(const AVStream& stream) {
   return ((static_cast<int>(std::lround(-angle / 90)) % 4) + 4) % 4;
 }
 
-bool isAvi(const AVFormatContext& container) {
-  return std::string_view(container.iformat->name) == "avi";
-}
-
-/// Pictures in the index of an AVI file, where it has one; chunks without bytes repeat a picture.
-std::int64_t indexedPictures(const AVFormatContext& container, AVStream& stream) {
-  std::int64_t count = 0;
-  const int entries = isAvi(container) ? avformat_index_get_entries_count(&stream) : 0;
-  for (int i = 0; i < entries; ++i) {
-    const AVIndexEntry* entry = avformat_index_get_entry(&stream, i);
-    if (entry != nullptr && entry->size > 0) ++count;
-  }
-  return count;
-}
-
-/// The end of the stream by its header, in the stream's units. Only some headers contain it; for
-/// several streams it is that of the longest one, which is not used. `fragments_s`: length of all
-/// fragments, if known.
-std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream,
-                                        std::optional<double> fragments_s) {
-  const std::int64_t start = stream.start_time == AV_NOPTS_VALUE ? 0 : stream.start_time;
-  if (fragments_s) return start + std::llround(*fragments_s / av_q2d(stream.time_base));
-  if (stream.nb_frames > 0 && stream.duration > 0) {
-    // Of an AVI file without its index FFmpeg shortens the duration to what there is.
-    const AVRational rate = stream.avg_frame_rate;
-    const std::int64_t pictures =
-        isAvi(container) && rate.num > 0 && rate.den > 0
-            ? av_rescale_q(stream.nb_frames, {rate.den, rate.num}, stream.time_base)
-            : 0;
-    return start + std::max(stream.duration, pictures);
-  }
-  const bool in_header = container.duration_estimation_method == AVFMT_DURATION_FROM_STREAM;
-  if (container.nb_streams != 1 || !in_header || container.duration <= 0) return std::nullopt;
-  return start + av_rescale_q(container.duration, {1, AV_TIME_BASE}, stream.time_base);
-}
-
-std::string rounded(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
-std::span<const std::uint8_t> bytesOf(const AVPacket& packet) {
-  return {packet.data, static_cast<std::size_t>(packet.size)};
-}
-
-/// Whether a picture of a Motion JPEG can be decoded as a JPEG file; FFmpeg conceals damage. True
-/// for variants of the format.
-bool isSoundJpeg(const AVPacket& packet) {
-  constexpr std::array<std::uint8_t, 2> kBegin = {0xff, 0xd8};
-  const auto bytes = bytesOf(packet);
-  return !std::equal(kBegin.begin(), kBegin.end(), bytes.begin()) ||
-         jpeg_images::checkJpeg(bytes).isOk();
-}
-
-/// Whether a picture of a Motion JPEG ends with the marker EOI. Without it FFmpeg fills in the
-/// missing part.
-bool hasJpegEnd(const AVPacket& packet) {
-  constexpr std::array<std::uint8_t, 2> kEnd = {0xff, 0xd9};
-  const auto bytes = bytesOf(packet);
-  // Not of std::ranges: clang 14, and so clang-tidy, cannot compile its result.
-  return std::find_end(bytes.begin(), bytes.end(), kEnd.begin(), kEnd.end()) != bytes.end();
-}
-
 }  // namespace
 
 Result<std::unique_ptr<VideoFile>> VideoFile::open(const std::filesystem::path& path, int pipe,
-                                                   PixelChoice pixels,
+                                                   bool colour, source_parameters::UsedBits& bits,
                                                    const Cancellation& cancellation) {
-  std::unique_ptr<VideoFile> file(new VideoFile(path, cancellation));
-  file->pipe_ = pipe;
+  std::unique_ptr<VideoFile> file(new VideoFile(path, pipe, cancellation));
   Status status = file->openStream();
   if (status.isOk()) status = file->openDecoder();
   if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
-  file->converter_ =
-      std::make_unique<PictureConverter>(pixels.colour, pixels.bits, file->quarter_turns_);
+  file->converter_ = std::make_unique<PictureConverter>(colour, bits, file->quarter_turns_);
   return file;
 }
 
@@ -148,7 +84,6 @@ Status VideoFile::openStream() {
   const int best = av_find_best_stream(container_, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
   if (best < 0) return Status::invalidInput("has no pictures; name a video");
   stream_ = container_->streams[best];
-  indexed_ = indexedPictures(*container_, *stream_);  // reading adds entries
   for (unsigned i = 0; i < container_->nb_streams; ++i) {
     if (static_cast<int>(i) != best) container_->streams[i]->discard = AVDISCARD_ALL;
   }
@@ -161,15 +96,17 @@ Status VideoFile::openDecoder() {
   const std::string name = avcodec_get_name(coded.codec_id);
   if (codec == nullptr) {
     return Status::unsupported("is coded as " + name +
-                               ", which FFmpeg cannot decode here; convert "
-                               "it");
+                               ", which FFmpeg cannot decode here; convert it");
   }
   decoder_ = avcodec_alloc_context3(codec);
   if (decoder_ == nullptr) return Status::failed("no memory for a video");
   int status = avcodec_parameters_to_context(decoder_, &coded);
   decoder_->pkt_timebase = stream_->time_base;
-  decoder_->max_pixels = kMaxPixels;
-  if (coded.codec_id == AV_CODEC_ID_HEVC) {  // else its check sums of pictures are not compared
+  decoder_->max_pixels = kMostPixels;
+  const AVCodecDescriptor* about = avcodec_descriptor_get(coded.codec_id);
+  intra_only_ = about != nullptr && (about->props & AV_CODEC_PROP_INTRA_ONLY) != 0;
+  // Others conceal damage, which is in the flags of the picture, and give as many pictures.
+  if (intra_only_ || coded.codec_id == AV_CODEC_ID_HEVC) {
     decoder_->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
   }
   decoder_->thread_count = 1;  // threads of FFmpeg would run between two calls
@@ -178,8 +115,8 @@ Status VideoFile::openDecoder() {
     return Status::invalidInput("the decoder of " + name + " does not start (" +
                                 libavError(status) + "); convert the video");
   }
-  const bool sane =
-      coded.width > 0 && coded.height > 0 && std::int64_t{coded.width} * coded.height <= kMaxPixels;
+  const bool sane = coded.width > 0 && coded.height > 0 &&
+                    std::int64_t{coded.width} * coded.height <= kMostPixels;
   if (!sane) return Status::invalidInput("has pictures of no size; copy or record it again");
   quarter_turns_ = quarterTurns(*stream_);
   size_ = {coded.width, coded.height};
@@ -187,7 +124,7 @@ Status VideoFile::openDecoder() {
   return Status::ok();
 }
 
-bool VideoFile::saysTimes() const {
+bool VideoFile::hasTimes() const {
   // Raw streams have no times; FFmpeg invents some, of 25 pictures a second.
   return (container_->iformat->flags & AVFMT_NOTIMESTAMPS) == 0 &&
          std::string_view(container_->iformat->name).find("pipe") == std::string_view::npos &&
@@ -198,22 +135,13 @@ std::string VideoFile::description() const {
   const std::string codec = avcodec_get_name(stream_->codecpar->codec_id);
   std::string text = codec + " in " + container_->iformat->name + ", " +
                      std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px";
+  if (!hasTimes()) return text + ", without times";
   const AVRational rate = stream_->avg_frame_rate;
-  if (saysTimes() && rate.num > 0 && rate.den > 0) text += " at " + rounded(av_q2d(rate)) + " Hz";
-  if (!saysTimes()) text += ", without times";
-  if (container_->duration > 0 && saysTimes()) {
-    text += ", " + rounded(static_cast<double>(container_->duration) / AV_TIME_BASE) + " s";
+  const double seconds = static_cast<double>(container_->duration) / AV_TIME_BASE;
+  if (rate.num > 0 && rate.den > 0) {
+    text += " at " + text_encoding::rounded(av_q2d(rate)) + " Hz";
   }
-  return text;
-}
-
-std::int64_t VideoFile::countPackets() {
-  std::int64_t count = 0;
-  while (!cancellation_.requested() && av_read_frame(container_, packet_) >= 0) {
-    if (packet_->stream_index == stream_->index) ++count;
-    av_packet_unref(packet_);
-  }
-  return count;
+  return seconds > 0 ? text + ", " + text_encoding::rounded(seconds) + " s" : text;
 }
 
 Status VideoFile::next(bool wanted, Picture& picture) {
@@ -227,7 +155,26 @@ Status VideoFile::next(bool wanted, Picture& picture) {
       continue;  // the decoder can continue with the next packet
     }
     if (Status fed = feed(); !fed.isOk()) return fed;
+    if (is_lost_) return fillLost(picture);
   }
+}
+
+/// Where each packet is one picture, one that cannot be decoded keeps its number and time.
+Status VideoFile::fillLost(Picture& picture) {
+  is_lost_ = false;
+  setTime(packet_->pts, picture);
+  picture.defect =
+      "picture " + std::to_string(pictures_ - 1) + " is damaged: " + std::exchange(damage_, "");
+  return Status::ok();
+}
+
+void VideoFile::setTime(std::int64_t time, Picture& picture) {
+  if (pictures_ == 0) start_ = time;
+  ++pictures_;
+  picture.timed = hasTimes() && time != AV_NOPTS_VALUE && start_ != AV_NOPTS_VALUE;
+  if (!picture.timed) return;
+  picture.stamp_ns = av_rescale_q(time - start_, stream_->time_base, {1, 1'000'000'000});
+  last_ns_ = picture.stamp_ns;
 }
 
 Status VideoFile::feed() {
@@ -235,9 +182,7 @@ Status VideoFile::feed() {
   av_packet_unref(packet_);
   const int read = av_read_frame(container_, packet_);
   if (read < 0) {
-    fed_all_ = true;
-    if (pipe_ < 0) container_check_ = checkContainer(path_, container_->iformat->name);
-    cut_ = cut_ || read != AVERROR_EOF || hasRest();
+    read_error_ = read == AVERROR_EOF ? 0 : read;
     const int ended = avcodec_send_packet(decoder_, nullptr);
     return ended >= 0 || ended == AVERROR_EOF
                ? Status::ok()
@@ -245,85 +190,31 @@ Status VideoFile::feed() {
   }
   if (packet_->stream_index != stream_->index) return Status::ok();
   if (packet_->size > 0) ++packets_;
-  packets_end_ = packet_->pos + packet_->size;
-  if (std::string damage = damageOfPacket(); !damage.empty()) damage_ = std::move(damage);
-  // Of pictures that are coded in another order AVI has no times, but those of the packets.
-  const std::int64_t time = packet_->pts != AV_NOPTS_VALUE ? packet_->pts : packet_->dts;
-  if (time != AV_NOPTS_VALUE) end_ = std::max(end_, time + packet_->duration);
+  if ((packet_->flags & AV_PKT_FLAG_CORRUPT) != 0) damage_ = "its data are not complete";
   const int sent = avcodec_send_packet(decoder_, packet_);
-  if (sent < 0 && sent != AVERROR(EAGAIN)) damage_ = libavError(sent);
+  if (sent >= 0 || sent == AVERROR(EAGAIN)) return Status::ok();
+  damage_ = libavError(sent);
+  is_lost_ = intra_only_;
   return Status::ok();
 }
 
-std::string VideoFile::damageOfPacket() {
-  const AVCodecID codec = stream_->codecpar->codec_id;
-  const bool is_jpeg = codec == AV_CODEC_ID_MJPEG;
-  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 || (is_jpeg && !hasJpegEnd(*packet_));
-  if (cut_) return "its data are not complete";
-  if (is_jpeg && !isSoundJpeg(*packet_)) return "its data cannot be decoded";
-  const bool has_slices = codec == AV_CODEC_ID_FFV1 && packet_->size > 0;
-  if (!has_slices || !ffv1_.isDamaged(bytesOf(*packet_))) return {};
-  return "a check sum of its data, or of those before, does not match";
-}
-
-bool VideoFile::hasRest() const {
-  const bool is_y4m = std::string_view(container_->iformat->name) == "yuv4mpegpipe";
-  return is_y4m && packets_ > 0 && avio_tell(container_->pb) > packets_end_;
-}
-
-bool VideoFile::endsEarly() const {
-  if (packets_ < indexed_) return true;
-  const std::optional<std::int64_t> promised =
-      promisedEnd(*container_, *stream_, container_check_.promised_s);
-  const AVRational rate = stream_->avg_frame_rate;
-  if (!promised || !saysTimes() || rate.num <= 0 || rate.den <= 0) return false;
-  const std::int64_t one = av_rescale_q(1, {rate.den, rate.num}, stream_->time_base);
-  return end_ < *promised - one - one / 2;
-}
-
 std::string VideoFile::defectOfEnd() const {
-  const bool in_picture = cut_ || !damage_.empty();
-  if (!in_picture && !endsEarly()) {
-    if (container_check_.defect.empty()) return {};
-    return path_.string() + ": " + container_check_.defect +
-           ", and pictures can be missing; copy or record it again, or use what can be read by "
-           "on_corrupt: skip";
+  const std::string found = std::to_string(pictures_) + " pictures";
+  if (read_error_ != 0) return "cannot be read beyond " + found + ": " + libavError(read_error_);
+  if (!damage_.empty()) return "ends within a picture after " + found + ": " + damage_;
+  if (stream_->nb_frames > packets_) {
+    return "ends after " + found + ", and its header promises " +
+           std::to_string(stream_->nb_frames);
   }
-  if (!in_picture &&
-      isAvi(*container_)) {  // it has no times, so a gap in the middle moves the rest
-    return path_.string() + ": has " + std::to_string(pictures_) + " pictures, and its header " +
-           "promises " + std::to_string(std::max(stream_->nb_frames, indexed_)) +
-           ": they are missing at the end, or in the middle, and then the times of all that "
-           "follow " +
-           "are wrong; copy or record it again";
-  }
-  std::string text = path_.string() + ": ends ";
-  text += in_picture ? "in the middle of a picture" : "before the end that its header promises";
-  if (sound_ == 0) return text + "; copy or record it again";
-  return text + ", after " + std::to_string(sound_) +
-         " sound ones; copy or record it again, or set last: " + std::to_string(sound_ - 1) +
-         " to use those";
-}
-
-std::string VideoFile::warningOfEnd() const {
-  const std::int64_t lost = packets_ - pictures_;
-  const std::string gap = gaps_.warning();
-  if (!gap.empty()) return path_.string() + ": " + gap;
-  if (lost <= 0) return {};
-  return path_.string() + ": no picture came of " + std::to_string(lost) + " of its " +
-         std::to_string(packets_) +
-         " coded pictures: they are damaged, or changes of one before the first";
-}
-
-std::int64_t VideoFile::timeOfFrame() {
-  std::int64_t time = frame_->best_effort_timestamp;
-  const AVRational rate = stream_->avg_frame_rate;
-  // AVI has one rate, and no times of pictures that are coded in another order.
-  const bool at_rate = isAvi(*container_) && pictures_ > 0 && rate.num > 0 && rate.den > 0;
-  if (time == AV_NOPTS_VALUE && at_rate && time_ != AV_NOPTS_VALUE) {
-    time = time_ + av_rescale_q(1, {rate.den, rate.num}, stream_->time_base);
-  }
-  return time_ = time;
+  // Containers without that number, such as Matroska, have a length.
+  const bool has_length = container_->nb_streams == 1 && hasTimes() && container_->duration > 0 &&
+                          container_->duration_estimation_method == AVFMT_DURATION_FROM_STREAM;
+  const double length = static_cast<double>(container_->duration) / AV_TIME_BASE;
+  const double last = static_cast<double>(last_ns_) * 1e-9;
+  const double step = pictures_ > 1 ? last / static_cast<double>(pictures_ - 1) : length;
+  if (!has_length || last + 2.5 * step > length) return {};
+  return "ends after " + found + " and " + text_encoding::rounded(last) +
+         " s, and its header promises " + text_encoding::rounded(length) + " s";
 }
 
 std::string VideoFile::defectOfFrame() {
@@ -334,27 +225,17 @@ std::string VideoFile::defectOfFrame() {
     complete_ = false;
     return picture + " is damaged" + (damage_.empty() ? "" : ": " + std::exchange(damage_, ""));
   }
-  const AVCodecDescriptor* codec = decoder_->codec_descriptor;
-  const bool by_itself = frame_->key_frame != 0 || frame_->pict_type == AV_PICTURE_TYPE_I ||
-                         (codec != nullptr && (codec->props & AV_CODEC_PROP_INTRA_ONLY) != 0);
+  const bool by_itself =
+      frame_->key_frame != 0 || frame_->pict_type == AV_PICTURE_TYPE_I || intra_only_;
   complete_ = complete_ || by_itself;
   return complete_ ? "" : picture + " was coded as a change of one that is damaged or missing";
 }
 
 Status VideoFile::fill(bool wanted, Picture& picture) {
-  const std::int64_t time = timeOfFrame();
-  if (pictures_ == 0) start_ = time;
-  ++pictures_;
-  picture.timed = saysTimes() && time != AV_NOPTS_VALUE && start_ != AV_NOPTS_VALUE;
-  if (picture.timed) {
-    picture.stamp_ns = av_rescale_q(time - start_, stream_->time_base, {1, 1'000'000'000});
-    gaps_.add(picture.stamp_ns);
-  }
+  setTime(frame_->best_effort_timestamp, picture);
   picture.defect = defectOfFrame();
-  if (!picture.defect.empty()) return Status::ok();
-  if (sound_ == pictures_ - 1) sound_ = pictures_;
-  if (!wanted) return Status::ok();
-  Result<Image> image = converter_->convert(*frame_, picture.widths);
+  if (!picture.defect.empty() || !wanted) return Status::ok();
+  Result<Image> image = converter_->convert(*frame_);
   if (!image.isOk()) {
     return {image.status().code(), path_.string() + ": " + image.status().message()};
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "video_source.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "camera_device.hpp"
@@ -31,18 +30,24 @@ Status checkCombination(const VideoParameters& p, PathKind kind) {
   if (kind != PathKind::File && p.order != FrameOrder::Forward) {
     return Status::invalidParameter(p.path + " can be read forward only; remove order");
   }
+  if (p.last >= 0 && p.last < p.first) {
+    return Status::invalidParameter(
+        "last is before first; for the reverse order use order: "
+        "backward");
+  }
   return Status::ok();
 }
 
-OpenCapture makeOpen(const VideoParameters& p, PathKind kind, int pipe, const Context& context) {
+OpenCapture makeOpen(const VideoParameters& p, PathKind kind, int pipe,
+                     source_parameters::UsedBits& bits, const Context& context) {
   if (kind == PathKind::Device) {
     const CameraRequest request{{static_cast<int>(p.width), static_cast<int>(p.height)}, p.rate};
     return [&p, request, &clock = context.clock] {
       return asCapture(CameraDevice::open(p.path, request, p.colour, clock));
     };
   }
-  return [&p, pipe, &cancellation = context.cancellation] {
-    return asCapture(VideoFile::open(p.path, pipe, {p.colour, p.bits}, cancellation));
+  return [&p, pipe, &bits, &cancellation = context.cancellation] {
+    return asCapture(VideoFile::open(p.path, pipe, p.colour, bits, cancellation));
   };
 }
 
@@ -52,51 +57,36 @@ Status VideoSource::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
-  log_ = &context.log;
+  findings_ = &context.findings;
   used_bits_ = source_parameters::UsedBits(parameters_.bits);
   return ready_ = prepare(context);
 }
 
 Status VideoSource::prepare(const Context& context) {
-  const Result<PathKind> kind = findKind(parameters_.path, pipe_, context.cancellation);
+  const Parameters& p = parameters_;
+  const Result<PathKind> kind = findKind(p.path, pipe_, context.cancellation);
   if (!kind.isOk()) return kind.status();
   kind_ = kind.value();
-  if (Status status = checkCombination(parameters_, kind_); !status.isOk()) return status;
-  open_ = makeOpen(parameters_, kind_, pipe_.get(), context);
+  if (Status status = checkCombination(p, kind_); !status.isOk()) return status;
+  open_ = makeOpen(p, kind_, pipe_.get(), used_bits_, context);
   Result<std::unique_ptr<Capture>> opened = open_();
   if (!opened.isOk()) return opened.status();
   capture_ = std::move(opened).value();
   description_ = capture_->description();
-  if (Status status = makeRig(capture_->size()); !status.isOk()) return status;
-  if (Status status = checkBounds(context); !status.isOk()) return status;
-  return parameters_.order == FrameOrder::Forward ? Status::ok() : makeSequence();
-}
-
-Status VideoSource::makeRig(PictureSize picture) {
-  const Result<PictureSize> size = cameraSize(picture, parameters_.layout);
+  const Result<PictureSize> size = cameraSize(capture_->size(), p.layout);
   if (!size.isOk()) return size.status();
-  const VideoParameters& p = parameters_;
-  rig_ = {};
-  rig_.width = size.value().width;
-  rig_.height = size.value().height;
-  if (!p.isGiven()) return Status::ok();
-  rig_.calibrated = true;
-  rig_.pinhole = p.pinhole(rig_.width, rig_.height);
-  rig_.baseline = p.baseline;
-  if (rig_.pinhole.cx < rig_.width && rig_.pinhole.cy < rig_.height) return Status::ok();
-  return Status::invalidParameter("the principal point cx, cy is outside of the " +
-                                  std::to_string(rig_.width) + "x" + std::to_string(rig_.height) +
-                                  " image; give the calibration of this camera");
+  const Result<CameraRig> rig = p.rig(size.value().width, size.value().height);
+  if (!rig.isOk()) return rig.status();
+  rig_ = rig.value();
+  return p.order == FrameOrder::Forward ? Status::ok() : makeSequence();
 }
 
 Status VideoSource::makeSequence() {
   reader_ = std::make_unique<FrameReader>(open_);
   std::vector<Picture> pictures;
-  StreamEnd end;
-  if (Status status = reader_->readTimes(pictures, end); !status.isOk()) return status;
-  const bool used =
-      parameters_.last < 0 || parameters_.last >= static_cast<std::int64_t>(pictures.size());
-  if (Status status = used ? judgeEnd(end) : Status::ok(); !status.isOk()) return status;
+  std::string defect;
+  if (Status status = reader_->readTimes(pictures, defect); !status.isOk()) return status;
+  if (!defect.empty()) reportDamage(defect);
   std::vector<std::int64_t> stamps;
   for (const Picture& picture : pictures) {
     const auto stamp = stampNs(picture, static_cast<std::int64_t>(stamps.size()));
@@ -166,47 +156,21 @@ Status VideoSource::nextForward(Frame& frame) {
   return Status::endOfStream();
 }
 
-Status VideoSource::checkBounds(const Context& context) const {
-  if (kind_ != PathKind::File || (parameters_.first == 0 && parameters_.last < 0)) {
-    return Status::ok();
-  }
-  if (parameters_.last >= 0 && parameters_.last < parameters_.first) {
-    return Status::invalidParameter("last is " + std::to_string(parameters_.last) +
-                                    ", before first = " + std::to_string(parameters_.first) +
-                                    "; for the reverse order use order: backward");
-  }
-  auto opened = VideoFile::open(parameters_.path, -1, {}, context.cancellation);
-  if (!opened.isOk()) return opened.status();
-  return beyondEnd(opened.value()->countPackets());
-}
-
-Status VideoSource::beyondEnd(std::int64_t pictures) const {
-  const std::string end = parameters_.path + " ends with frame " + std::to_string(pictures - 1);
-  if (parameters_.first >= pictures) {
-    return Status::invalidParameter("first is " + std::to_string(parameters_.first) + ", but " +
-                                    end + "; choose a smaller one");
-  }
-  if (parameters_.last >= pictures) {
-    return Status::invalidParameter("last is " + std::to_string(parameters_.last) + ", but " + end +
-                                    "; choose a smaller one, or -1 for the end");
-  }
-  return Status::ok();
-}
-
-Status VideoSource::judgeEnd(const StreamEnd& end) {
-  if (!end.warning.empty()) log_->warning(end.warning);
-  if (end.defect.empty()) return Status::ok();
-  if (parameters_.on_corrupt == OnCorrupt::Stop) return Status::invalidInput(end.defect);
-  log_->warning(end.defect);
-  return Status::ok();
-}
-
-/// EndOfStream after the last picture, or a failure if the stream ended too early.
 Status VideoSource::atEnd() {
-  if (next_picture_ == 0) return Status::invalidInput(parameters_.path + ": has no pictures");
-  if (Status status = judgeEnd(capture_->end()); !status.isOk()) return status;
-  if (Status status = beyondEnd(next_picture_); !status.isOk()) return status;
-  return Status::endOfStream();
+  if (const std::string defect = capture_->defectOfEnd(); !defect.empty()) {
+    reportDamage(defect);
+  }
+  const std::string end = parameters_.path + " has " + std::to_string(next_picture_) + " pictures";
+  if (next_picture_ == 0) return Status::invalidInput(end + "; name a video");
+  if (parameters_.first < next_picture_ && parameters_.last < next_picture_) {
+    return Status::endOfStream();
+  }
+  return Status::invalidParameter(end + "; choose first and last below that, or -1 for the end");
+}
+
+void VideoSource::reportDamage(std::string what) {
+  findings_->add({Finding::Severity::Error, parameters_.path, std::move(what),
+                  "copy or record it again", Finding::Kind::Damaged});
 }
 
 Result<std::int64_t> VideoSource::stampNs(const Picture& picture, std::int64_t index) const {
@@ -214,7 +178,7 @@ Result<std::int64_t> VideoSource::stampNs(const Picture& picture, std::int64_t i
     return std::llround(static_cast<double>(index) * 1e9 / parameters_.rate);
   }
   if (picture.timed) return picture.stamp_ns;
-  return Status::invalidInput(parameters_.path + ": says no time of picture " +
+  return Status::invalidInput(parameters_.path + ": does not state the time of picture " +
                               std::to_string(index) + "; set rate");
 }
 
@@ -222,62 +186,13 @@ Status VideoSource::give(Picture& picture, std::int64_t index, Frame& frame) {
   frame.frame = next_frame_++;
   frame.source_index = index;
   if (!picture.defect.empty()) {
-    if (parameters_.on_corrupt == OnCorrupt::Stop) {
-      return Status::invalidInput(parameters_.path + ": " + picture.defect +
-                                  "; copy or record it again, or leave it out by on_corrupt: skip");
-    }
+    reportDamage(picture.defect);
     frame.defect = parameters_.path + ": " + picture.defect;
     return Status::ok();
   }
-  used_bits_.add(picture.widths);
-  for (const auto& warning :
-       {used_bits_.beyond(picture.widths.largest()), used_bits_.warning(false, frame.frame)}) {
-    if (warning) log_->warning(parameters_.path + ": " + *warning);
-  }
+  if (auto finding = used_bits_.endImage(parameters_.path)) findings_->add(*std::move(finding));
   frame.left = leftImage(picture.image, parameters_.layout);
   frame.right = rightImage(picture.image, parameters_.layout);
-  return Status::ok();
-}
-
-void VideoSource::inspectPictures(std::vector<Finding>& findings) {
-  std::vector<Picture> pictures;
-  StreamEnd end;
-  const Status status = FrameReader(open_).readTimes(pictures, end);
-  const auto damaged = std::count_if(pictures.begin(), pictures.end(), [](const Picture& picture) {
-    return !picture.defect.empty();
-  });
-  std::string text = description_ + ", " + std::to_string(pictures.size()) + " pictures";
-  if (!rig_.calibrated) text += ", uncalibrated";
-  findings.push_back({Finding::Severity::Note, parameters_.path, text});
-  if (damaged > 0) {
-    findings.push_back(
-        {Finding::Severity::Error, parameters_.path,
-         std::to_string(damaged) + (damaged == 1 ? " picture is" : " pictures are") +
-             " damaged; copy or record it again, or leave them out by on_corrupt: skip"});
-  }
-  if (!pictures.empty() && !pictures.back().timed && parameters_.rate == 0) {
-    findings.push_back(
-        {Finding::Severity::Error, parameters_.path, "says no times of its pictures; set rate"});
-  }
-  if (!end.defect.empty()) findings.push_back({Finding::Severity::Error, "", end.defect});
-  if (!end.warning.empty()) findings.push_back({Finding::Severity::Warning, "", end.warning});
-  if (!status.isOk()) findings.push_back({Finding::Severity::Error, "", status.message()});
-}
-
-Status VideoSource::inspect(std::vector<Finding>& findings) {
-  if (capture_ == nullptr || kind_ != PathKind::File) {
-    findings.push_back(ready_.isOk()
-                           ? Finding{Finding::Severity::Note, parameters_.path, description_}
-                           : Finding{Finding::Severity::Error, "", ready_.message()});
-    return Status::ok();
-  }
-  inspectPictures(findings);
-  const bool told = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.severity == Finding::Severity::Error;
-  });
-  if (!ready_.isOk() && !told) {
-    findings.push_back({Finding::Severity::Error, "configuration", ready_.message()});
-  }
   return Status::ok();
 }
 

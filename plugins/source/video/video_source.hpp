@@ -4,16 +4,64 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "capture.hpp"
 #include "file_access.hpp"
 #include "frame_reader.hpp"
+#include "given_pinhole.hpp"
+#include "picture_converter.hpp"
+#include "tolman/frame_selection.hpp"
 #include "tolman/roles.hpp"
 #include "used_bits.hpp"
-#include "video_parameters.hpp"
 
 namespace tolman::video {
+
+struct VideoParameters : FrameSelection, source_parameters::GivenPinhole {
+  std::string path;
+  PictureLayout layout = PictureLayout::Mono;
+  bool colour = false;
+  int bits = 16;
+  double rate = 0;
+  std::int64_t width = 0;
+  std::int64_t height = 0;
+
+  static constexpr auto declaration() {
+    using P = VideoParameters;
+    return std::tuple_cat(
+        parameters(
+            parameter("path", &P::path)
+                .path()
+                .required()
+                .doc("Video file, named pipe, or camera such as /dev/video0."),
+            parameter("layout", &P::layout)
+                .doc("mono: one camera; side_by_side, top_bottom: a rectified pair in one picture, "
+                     "left camera first."),
+            parameter("colour", &P::colour)
+                .doc("Provide colour images; otherwise pictures are converted to grey."),
+            parameter("bits", &P::bits)
+                .range(8, 16)
+                .doc("Bits of grey pictures of 16 bits that the camera uses, from the lowest; the "
+                     "8 highest of them are taken."),
+            parameter("rate", &P::rate)
+                .range(0, 1e6)
+                .unit("Hz")
+                .doc("Pictures a second; 0 for the times in the file. A camera is asked for this "
+                     "rate."),
+            parameter("width", &P::width)
+                .range(0, 1e5)
+                .unit("px")
+                .doc("Width that a camera is asked for; 0 for its own."),
+            parameter("height", &P::height)
+                .range(0, 1e5)
+                .unit("px")
+                .doc("Height that a camera is asked for; 0 for its own.")),
+        source_parameters::pinholeParameters<P>(), source_parameters::baselineParameter<P>(),
+        selectionParameters<P>());
+  }
+};
 
 class VideoSource final : public Source {
  public:
@@ -23,37 +71,29 @@ class VideoSource final : public Source {
   Status reset() override;
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
-  /// Decodes all pictures of a file.
-  Status inspect(std::vector<Finding>& findings);
 
  private:
   Status prepare(const Context& context);
-  Status makeRig(PictureSize picture);
-  /// Refuses first and last beyond the end of a file.
-  Status checkBounds(const Context& context) const;
-  Status beyondEnd(std::int64_t pictures) const;
   /// Reads the times of all pictures, for other orders than forward.
   Status makeSequence();
   Status nextForward(Frame& frame);
   Status nextOfSequence(Frame& frame);
   Status atEnd();
-  /// A defect of the end of the file is a failure, or a warning with on_corrupt: skip.
-  Status judgeEnd(const StreamEnd& end);
+  void reportDamage(std::string what);
   Status give(Picture& picture, std::int64_t index, Frame& frame);
   Result<std::int64_t> stampNs(const Picture& picture, std::int64_t index) const;
-  void inspectPictures(std::vector<Finding>& findings);
 
   Parameters parameters_;
   PathKind kind_ = PathKind::File;
-  Logger* log_ = nullptr;
-  OpenFile pipe_;  ///< read by capture_
+  FindingCollector* findings_ = nullptr;
+  OpenFile pipe_;                          ///< read by capture_
+  source_parameters::UsedBits used_bits_;  ///< used by capture_
   OpenCapture open_;
   std::unique_ptr<Capture> capture_;  ///< for forward order
   std::unique_ptr<FrameReader> reader_;
   FrameSequence sequence_;
   CameraRig rig_;
   std::string description_;
-  source_parameters::UsedBits used_bits_;
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;
   std::int64_t next_picture_ = 0;  ///< in forward order: index of the next picture of capture_

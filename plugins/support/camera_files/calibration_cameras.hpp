@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "file_tree.hpp"
 #include "projection.hpp"
-#include "text_tree.hpp"
 #include "tolman/camera.hpp"
 
 namespace tolman::camera_files {
@@ -16,11 +16,8 @@ namespace tolman::camera_files {
 using source_parameters::Projection;
 
 struct FileCamera {
-  RawCamera camera;      ///< width 0: the file does not say the size of the images
-  int line = 0;          ///< first line of the camera; 0: the whole file
-  int size_line = 0;     ///< line of the size
-  int pinhole_line = 0;  ///< line of focal lengths and principal point
-  int rectified_line = 0;
+  RawCamera camera;  ///< width 0: the file does not state the size of the images
+  int line = 0;      ///< of the camera; 0: the whole file
   bool has_pose = false;
   /// Rotation (in `camera`) and projection of the rectified camera, where the file has them.
   std::optional<Projection> P_rectified;
@@ -37,19 +34,19 @@ struct FileCameras {
 /// stereo_calib). Throws FileError.
 FileCameras camerasIn(const Node& tree);
 
-/// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it, of which one or,
-/// for a pair, two are wanted. Throws FileError, also for a pair whose entries contradict each
-/// other.
-FileCameras kittiRawCameras(std::string_view text, int left, int wanted);
+/// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it. Throws FileError.
+FileCameras kittiRawCameras(std::string_view text, int left);
 
-/// The numbers of a list, or of a matrix with rows, cols and data. Throws FileError for another
-/// count.
-std::vector<double> numbersOf(const Node& node, std::size_t count);
+/// P<left> and, for a pair, P<left + 1> of KITTI's calib.txt. Throws FileError.
+std::vector<Projection> kittiProjections(std::string_view text, int left, bool stereo);
+
+/// A size in pixels. Throws FileError for what is none.
+int sizeOf(double pixels, int line);
 
 /// Makes a rotation from a file, which has few digits, orthonormal. Throws FileError.
 Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line);
 
-/// The numbers of the matrix `name`. Throws FileError unless it is fx 0 cx 0 fy cy 0 0 1.
-Pinhole checkedPinhole(const Eigen::Matrix3d& K, int line, std::string_view name);
+/// The numbers of a camera matrix. Throws FileError unless it is fx 0 cx 0 fy cy 0 0 1.
+Pinhole pinholeOf(const Eigen::Matrix3d& K, int line);
 
 }  // namespace tolman::camera_files

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "given_pinhole.hpp"
-#include "on_corrupt.hpp"
 #include "tolman/parameters.hpp"
 
 namespace tolman::source_parameters {
@@ -24,7 +23,6 @@ struct CameraParameters : GivenPinhole {
   double tolerance = 0.005;  // s; chosen, not tuned
   bool colour = false;
   int bits = 16;
-  OnCorrupt on_corrupt = OnCorrupt::Stop;
 };
 
 /// Declaration of the topics for a Parameters struct that derives from CameraParameters.
@@ -44,7 +42,7 @@ constexpr auto cameraTopics() {
 
 /// Declaration of the other parameters.
 template <std::derived_from<CameraParameters> P>
-constexpr auto cameraImages(std::string_view tolerance_doc, std::string_view on_corrupt_doc) {
+constexpr auto cameraImages(std::string_view tolerance_doc) {
   return std::tuple_cat(
       parameters(parameter<P, double>("tolerance", &P::tolerance)
                      .range(0, 10)
@@ -55,11 +53,10 @@ constexpr auto cameraImages(std::string_view tolerance_doc, std::string_view on_
                  parameter<P, int>("bits", &P::bits)
                      .range(8, 16)
                      .doc("Bits that images of 16 bits use, from the lowest; the 8 highest of them "
-                          "are taken."),
-                 parameter<P, OnCorrupt>("on_corrupt", &P::on_corrupt).doc(on_corrupt_doc)),
+                          "are taken.")),
       pinholeParameters<P>(
-          "Focal length of rectified images, in place of CameraInfo; 0: by CameraInfo.",
-          "Distance of the right camera from the left one, with fx."));
+          "Focal length of rectified images, in place of CameraInfo; 0: by CameraInfo."),
+      baselineParameter<P>());
 }
 
 }  // namespace tolman::source_parameters

@@ -64,32 +64,4 @@ std::string matrixLine(const std::string& name, double p3, double fx) {
   return text;
 }
 
-std::string configure(FolderSource& source, ParameterValues values) {
-  test::TestContext services(std::move(values));
-  const Context context = services;
-  return source.configure(context).message();
-}
-
-std::vector<std::string> inspect(FolderSource& source) {
-  std::vector<Finding> findings;
-  if (!source.inspect(findings).isOk()) throw std::runtime_error("inspect failed");
-  std::vector<std::string> texts;
-  for (const Finding& finding : findings) {
-    const bool error = finding.severity == Finding::Severity::Error;
-    texts.push_back((error ? "error " : "note ") + finding.where + ": " + finding.message);
-  }
-  return texts;
-}
-
-std::vector<Frame> readAll(FolderSource& source, std::string& failure) {
-  std::vector<Frame> frames;
-  while (true) {
-    Frame frame;
-    const Status status = source.next(frame);
-    failure = status.isOk() || status.code() == StatusCode::EndOfStream ? "" : status.message();
-    if (!status.isOk()) return frames;
-    frames.push_back(std::move(frame));
-  }
-}
-
 }  // namespace tolman::image_folders

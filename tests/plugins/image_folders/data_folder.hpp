@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "folder_source.hpp"
+#include "layouts.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"
 
@@ -38,13 +38,36 @@ class DataFolder {
 /// "P0: ..." for a camera of 64x48 pixels whose fourth number is `p3`.
 std::string matrixLine(const std::string& name, double p3, double fx = 50);
 
-/// Configures `source` with `values`; the failure's message, or "".
-std::string configure(FolderSource& source, ParameterValues values);
+/// A configured source of the layout with parameters `P`, and what it gave.
+template <class P>
+struct Opened {
+  explicit Opened(const DataFolder& data, ParameterValues values = {})
+      : context((values.try_emplace("path", data.path().string()), std::move(values))) {
+    const Context services = context;
+    Status status = source.configure(services);
+    if (status.isOk()) status = source.info(info);
+    if (status.isOk()) status = source.rawRig(raw);
+    while (status.isOk()) {
+      Frame frame;
+      status = source.next(frame);
+      if (status.isOk()) frames.push_back(std::move(frame));
+    }
+    code = status.code();
+    if (code != StatusCode::EndOfStream) message = data.anonymous(status.message());
+    for (const Finding& finding : context.findings) {
+      findings.push_back(data.anonymous(std::string(enumName(finding.severity)) + " " +
+                                        finding.where + ": " + finding.message));
+    }
+  }
 
-/// "Severity where: message" of each finding.
-std::vector<std::string> inspect(FolderSource& source);
-
-/// All frames until the end of the stream or a failure, whose message goes to `failure`.
-std::vector<Frame> readAll(FolderSource& source, std::string& failure);
+  test::TestContext context;
+  LayoutSource<P> source;
+  SourceInfo info;
+  RawRig raw;
+  std::vector<Frame> frames;
+  StatusCode code = StatusCode::Ok;
+  std::string message;  ///< of the failure of configure() or next(); empty after the end
+  std::vector<std::string> findings;  ///< "severity where: message"
+};
 
 }  // namespace tolman::image_folders

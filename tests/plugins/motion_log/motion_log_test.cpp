@@ -130,7 +130,7 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
   const Square square;
   SECTION("missing") {
     std::filesystem::remove(square.folder.path() / "odometry.g2o");
-    CHECK(refusal(square) == "odometry.g2o is not a readable file; check the path");
+    CHECK(refusal(square) == "odometry.g2o: is missing; restore it, or correct the path");
   }
   SECTION("gap") {
     square.write("odometry.g2o",
@@ -161,13 +161,13 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
     std::filesystem::remove(square.folder.path() / "ground_truth.g2o");
     CHECK(drive(square.values()).size() == 5);  // no truth
     std::filesystem::create_symlink("nowhere", square.folder.path() / "ground_truth.g2o");
-    CHECK(refusal(square) == "ground_truth.g2o is not a readable file; check the path");
+    CHECK(refusal(square) == "ground_truth.g2o: is missing; restore it, or correct the path");
   }
   SECTION("truth that was named and is not there") {
     TestContext context(square.values({{"truth", std::string("mine.g2o")}}));
     MotionLog source;
     CHECK_THAT(source.configure(context).message(),
-               Catch::EndsWith("mine.g2o is not a readable file; check the path"));
+               Catch::EndsWith("mine.g2o: is missing; restore it, or correct the path"));
   }
   SECTION("a candidate that is given twice") {
     square.write("loop_candidates.g2o",

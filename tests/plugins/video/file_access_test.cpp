@@ -28,14 +28,13 @@ TEST_CASE("kinds of paths, and what to do where there is none") {
         path("empty.mp4").string() + ": is empty; copy or record it again");
   CHECK(message(path("none.mp4")) == path("none.mp4").string() +
                                          ": cannot be opened (No such file or directory); check "
-                                         "the path");
+                                         "path and permissions");
   CHECK(message(folder.path()).find("is a folder, not a video") != std::string::npos);
-  CHECK(message("/dev/video99") ==
-        "/dev/video99: cannot be opened (No such file or directory); connect the camera; "
-        "`ls /dev/video*` lists those that are there");
+  CHECK(message("/dev/video99").find("(No such file or directory); connect the camera") !=
+        std::string::npos);
 }
 
-TEST_CASE("a pipe that nothing is written into is told after a while") {
+TEST_CASE("a pipe that nothing is written into is reported after a while") {
   const test::TemporaryFolder folder;
   OpenFile none;
   test::TestContext test_context;

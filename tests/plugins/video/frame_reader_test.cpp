@@ -26,7 +26,7 @@ class Counting final : public Capture {
     ++number_;
     return Status::ok();
   }
-  StreamEnd end() const override { return {"cut", ""}; }
+  std::string defectOfEnd() const override { return "cut"; }
 
  private:
   int& converted_;
@@ -67,12 +67,12 @@ TEST_CASE("times without pixels, and what is wrong with the end") {
   Opened opened;
   FrameReader reader(opened.open);
   std::vector<Picture> pictures;
-  StreamEnd end;
+  std::string end;
   REQUIRE(reader.readTimes(pictures, end).isOk());
   CHECK(pictures.size() == 20);
   CHECK(pictures[7].stamp_ns == 70);
   CHECK(opened.converted == 0);
-  CHECK(end.defect == "cut");
+  CHECK(end == "cut");
   Picture picture;
   CHECK(reader.read(20, picture).message().find("shorter") != std::string::npos);
 }

@@ -6,6 +6,7 @@
 
 #include "support/data.hpp"
 #include "tolman/image_cv.hpp"
+#include "video_encoder.hpp"
 #include "video_maker.hpp"
 
 namespace tolman::video {
@@ -48,15 +49,13 @@ TEST_CASE("other orders give the same pictures") {
   CHECK(turning.stamps().back() == 900'000'000);
 }
 
-TEST_CASE("a frame number beyond the end is told") {
+TEST_CASE("a frame number beyond the end is refused at the end") {
   const Clip clip;
   const Played late(clip.file, {{"last", std::int64_t{12}}});
-  CHECK(late.frames.empty());
+  CHECK(late.frames.size() == 12);
   CHECK(late.message ==
-        "last is 12, but video.mkv ends with frame 11; choose a smaller one, or -1 "
-        "for the end");
-  CHECK(Played(clip.file, {{"first", std::int64_t{30}}}).message ==
-        "first is 30, but video.mkv ends with frame 11; choose a smaller one");
+        "video.mkv has 12 pictures; choose first and last below that, or -1 for the end");
+  CHECK(Played(clip.file, {{"first", std::int64_t{30}}}).frames.empty());
 }
 
 TEST_CASE("reset begins anew") {
@@ -107,22 +106,47 @@ TEST_CASE("contradictions are refused before the first frame") {
   CHECK(Played(clip.file, {{"width", std::int64_t{640}}}).message ==
         "width and height are those of a camera; remove them");
   CHECK(Played(clip.file, {{"fx", 100.0}, {"cx", 64.0}}).message ==
-        "the principal point cx, cy is outside of the 64x48 image; give the calibration of this "
+        "the principal point cx, cy is outside of the image of 64x48 px; give the calibration of "
+        "this "
         "camera");
   CHECK(Played("/dev/null").message.find("is no camera") != std::string::npos);
 }
 
-TEST_CASE("an inspection counts the pictures") {
-  const Clip clip;
-  Played played(clip.file);
-  std::vector<Finding> findings;
-  REQUIRE(played.source.inspect(findings).isOk());
-  REQUIRE(findings.size() == 1);
-  CHECK(findings[0].message.find("12 pictures") != std::string::npos);
-  // Frames go on as if nothing had happened.
-  REQUIRE(played.source.reset().isOk());
-  Frame frame;
-  CHECK(played.source.next(frame).isOk());
+TEST_CASE("halves of a picture are views of its pixels") {
+  const Image grey = Image::create(6, 4, PixelFormat::Gray8, [](std::uint8_t* data) {
+    for (int i = 0; i < 24; ++i) data[i] = static_cast<std::uint8_t>(i);
+  });
+  const Image left = leftImage(grey, PictureLayout::SideBySide);
+  const Image right = rightImage(grey, PictureLayout::SideBySide);
+  CHECK(left.width() == 3);
+  CHECK(left.data() == grey.data());
+  CHECK(right.row(0)[0] == 3);
+  CHECK(right.row(3)[2] == 23);
+  const Image lower = rightImage(grey, PictureLayout::TopBottom);
+  CHECK(lower.height() == 2);
+  CHECK(lower.row(0)[0] == 12);
+  CHECK(leftImage(grey, PictureLayout::Mono).data() == grey.data());
+  CHECK(rightImage(grey, PictureLayout::Mono).empty());
+  CHECK(rightImage({}, PictureLayout::SideBySide).empty());
+  CHECK(cameraSize({7, 4}, PictureLayout::TopBottom).value() == PictureSize{7, 2});
+  CHECK(cameraSize({7, 4}, PictureLayout::SideBySide).status().message() ==
+        "pictures of 7x4 px are not two equal halves side by side; correct layout");
+}
+
+TEST_CASE("grey pictures of 16 bits that use fewer") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.mkv";
+  std::vector<cv::Mat> pictures;
+  for (int i = 0; i < 12; ++i) pictures.emplace_back(48, 64, CV_16UC1, cv::Scalar(300 * i + 16));
+  encodeVideo(file, "ffv1", pictures, {{"level", "3"}});
+  const Played dark(file);
+  REQUIRE(dark.frames.size() == 12);
+  CHECK(dark.frames[10].left.data()[0] == 3016 / 256);
+  REQUIRE(dark.context.findings.size() == 1);
+  CHECK_THAT(dark.context.findings[0].message, Catch::Contains("stay below 4096"));
+  const Played right(file, {{"bits", 12}});
+  CHECK(right.frames[10].left.data()[0] == 3016 / 16);
+  CHECK(right.context.findings.empty());
 }
 
 }  // namespace tolman::video
