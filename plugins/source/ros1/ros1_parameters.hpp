@@ -10,8 +10,6 @@
 
 namespace tolman::ros1 {
 
-using source_parameters::OnCorrupt;
-
 struct Ros1Parameters : source_parameters::CameraParameters {
   std::string master;
   double wait = 5;
@@ -42,8 +40,7 @@ constexpr auto Ros1Parameters::declaration() {
               .doc("Last image to use, from 0; -1 for as many as come."),
           parameter("step", &P::step).range(1, 1e9).doc("Use every step-th image.")),
       source_parameters::cameraImages<P>(
-          "Largest difference between the stamps of a stereo pair.",
-          "Damaged images: stop the run, or skip: give a frame without images."));
+          "Largest difference between the stamps of a stereo pair."));
 }
 
 }  // namespace tolman::ros1

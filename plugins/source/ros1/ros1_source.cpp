@@ -17,6 +17,7 @@ Status Ros1Source::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   log_ = &context.log;
+  findings_ = &context.findings;
   used_bits_ = source_parameters::UsedBits(parameters_.bits);
   return ready_ = prepare(context);
 }
@@ -112,31 +113,28 @@ Status Ros1Source::give(const ArrivedPair& pair, Frame& frame) {
   }
   last_stamp_ns_ = frame.stamp_ns = pair.left.stamp_ns;
   frame.frame = next_frame_++;
-  Status status = convert(topics.left, camera_->leftType(), pair.left, frame.left);
-  if (status.isOk() && !topics.right.empty()) {
-    status = convert(topics.right, camera_->rightType(), pair.right, frame.right);
+  std::string defect = convert(topics.left, camera_->leftType(), pair.left, frame.left);
+  if (defect.empty() && !topics.right.empty()) {
+    defect = convert(topics.right, camera_->rightType(), pair.right, frame.right);
   }
-  return source_parameters::finishFrame(status, parameters_.on_corrupt, frame);
+  if (!defect.empty()) frame.left = frame.right = {};  // one alone would look like one camera
+  frame.defect = defect;
+  return Status::ok();
 }
 
-Status Ros1Source::convert(const std::string& topic, const std::string& type,
-                           const Arrived& arrived, Image& image) {
-  ros_messages::DeepPixels deep{parameters_.bits};
+std::string Ros1Source::convert(const std::string& topic, const std::string& type,
+                                const Arrived& arrived, Image& image) {
   auto converted = ros_messages::convertImage(type, asMessage(arrived.message), parameters_.colour,
-                                              size_, camera_->topics().left, deep);
-  used_bits_.add(deep.widths);
-  for (const auto& warning :
-       {used_bits_.beyond(deep.widths.largest()), used_bits_.warning(false, next_frame_ - 1)}) {
-    if (warning) log_->warning(topic + ": " + *warning);
-  }
-  const Status status = converted.status();
-  if (status.isOk()) {
+                                              size_, camera_->topics().left, used_bits_);
+  if (auto found = used_bits_.endImage(topic)) findings_->add(*std::move(found));
+  if (converted.isOk()) {
     image = std::move(converted).value();
-    return status;
+    return "";
   }
-  return {status.code(), "the image of " + topic + " with the stamp " +
-                             std::to_string(arrived.stamp_ns) + " ns " + status.message() +
-                             "; leave such out by on_corrupt: skip"};
+  const std::string where = topic + ", stamp " + std::to_string(arrived.stamp_ns) + " ns";
+  findings_->add({Finding::Severity::Error, where, converted.status().message(),
+                  "mend the camera's node", Finding::Kind::Damaged});
+  return where + ": " + converted.status().message();
 }
 
 }  // namespace tolman::ros1

@@ -26,13 +26,15 @@ class Ros1Source final : public Source, public RawRigSource, public LiveSource {
   Status prepare(const Context& context);
   Status makeRigs();
   Status give(const ArrivedPair& pair, Frame& frame);
-  Status convert(const std::string& topic, const std::string& type, const Arrived& arrived,
-                 Image& image);
+  /// Why there is no image; empty if there is one.
+  std::string convert(const std::string& topic, const std::string& type, const Arrived& arrived,
+                      Image& image);
   void tellLeftOut();
 
   Parameters parameters_;
   source_parameters::UsedBits used_bits_;
   Logger* log_ = nullptr;
+  FindingCollector* findings_ = nullptr;
   std::unique_ptr<LiveCamera> camera_;
   ros_messages::ImageSize size_;
   ros_messages::CameraRigs rigs_;

@@ -10,8 +10,6 @@
 
 namespace tolman::ros_bag {
 
-using source_parameters::OnCorrupt;
-
 struct BagParameters : FrameSelection, source_parameters::CameraParameters {
   std::string path;
   std::string depth;
@@ -25,8 +23,9 @@ constexpr auto sensorTopics() {
   using P = BagParameters;
   return parameters(
       parameter("depth", &P::depth)
-          .doc(
-              "Topic of depth images (16UC1 in mm, 32FC1 in m) for the sensor depth; empty: none."),
+          .doc("Topic of depth images (16UC1 in mm, 32FC1 in m, also compressed) for the sensor "
+               "depth; "
+               "empty: none."),
       parameter("imu", &P::imu)
           .doc("Topic for the sensors imu.*; empty: the only one of its type, if there is one."),
       parameter("odometry", &P::odometry)
@@ -43,8 +42,7 @@ constexpr auto BagParameters::declaration() {
                      .doc("Folder of the bag, or one of its files.")),
       source_parameters::cameraTopics<P>(), sensorTopics(),
       source_parameters::cameraImages<P>(
-          "Largest difference between the stamps of a stereo pair, or of depth and image.",
-          "Damaged bags and images: stop, or skip: use what can be read."),
+          "Largest difference between the stamps of a stereo pair, or of depth and image."),
       selectionParameters<P>());
 }
 

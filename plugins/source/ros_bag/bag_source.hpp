@@ -28,30 +28,18 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status rawRig(RawRig& rig) override;
   Status next(Frame& frame) override;
   Status describe(std::vector<ArrayInfo>& arrays) const override;
-  /// Lists the topics of the bag and its problems.
-  Status inspect(std::vector<Finding>& findings);
 
  private:
   Status prepare(const Context& context);
-  Status judgeProblems(Logger& log) const;
-  std::vector<std::string> messageProblems() const;
-  std::vector<std::string> imageDoubts() const;
-  std::vector<std::string> depthDoubts() const;
-  Status judgeTopics(Logger& log) const;
-  /// The size of the first image whose header is sound.
+  /// What was found about the messages of the chosen topics. A failure if one has none.
+  Status reportTopics() const;
+  /// Of the first image that is not damaged.
   Status findSize();
   Status makeRigs();
-  Status makeSequence(Logger& log);
-  /// Loads the other sensors, and refuses what is damaged or was measured at other times than the
-  /// run's.
-  Status loadSensors(Logger& log);
-  Status judgeOdometry(Logger& log);
+  Status makeSequence();
   std::int64_t imageStampNs(std::int64_t source_index) const;
-  Status readImage(const BagTopic& topic, std::size_t index, Image& image);
-  Status readImages(const FrameRow& row, Frame& frame);
-  void tellUsedBits();
-  Status addDepth(const FrameRow& row, Frame& frame);
-  void inspectTopics(std::vector<Finding>& findings) const;
+  Result<Image> readImage(const BagTopic& topic, std::size_t index);
+  Result<NamedArray> readDepth(const FrameRow& row);
   std::string roleOf(const BagTopic& topic) const;
 
   Parameters parameters_;
@@ -59,13 +47,12 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   ChosenTopics chosen_;
   FrameTable table_;
   SideMeasurements side_;
-  std::vector<std::string> odometry_problems_;  ///< with the topic
   ImageSize size_;
   ImageSize depth_size_;
   CameraRigs rigs_;
   FrameSequence sequence_;
   source_parameters::UsedBits used_bits_;
-  Logger* log_ = nullptr;  ///< of configure()
+  FindingCollector* findings_ = nullptr;
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;
 };

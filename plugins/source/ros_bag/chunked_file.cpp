@@ -3,25 +3,19 @@
 
 #include <algorithm>
 
-#include "bag_problems.hpp"
-
 namespace tolman::ros_bag {
 
-std::optional<ChunkedFile::Contents> ChunkedFile::readBytes(std::uint64_t at, std::uint64_t size,
-                                                            std::uint64_t record,
-                                                            Problems& problems) {
-  if (size > file_.size() - at) {
-    problems.push_back(endsWithin(record));
-    return std::nullopt;
+Result<ChunkedFile::Contents> ChunkedFile::readBytes(std::uint64_t at, std::uint64_t size,
+                                                     std::uint64_t record) {
+  if (at > file_.size() || size > file_.size() - at) {
+    return Status::invalidInput("is cut off within the record" + atByte(record));
   }
   if (size > kMaxBytes) {
-    problems.push_back("has a record of more than 256 MiB" + atByte(record) + "; record it again");
-    return std::nullopt;
+    return Status::invalidInput("has a record of more than 256 MiB" + atByte(record));
   }
   Contents bytes(static_cast<std::size_t>(size));
   if (file_.read(at, bytes)) return bytes;
-  problems.push_back(cannotBeRead(at));
-  return std::nullopt;
+  return Status::invalidInput("cannot be read" + atByte(at));
 }
 
 Result<const ChunkedFile::Contents*> ChunkedFile::chunkAt(std::uint64_t at) {
@@ -36,20 +30,16 @@ Result<const ChunkedFile::Contents*> ChunkedFile::chunkAt(std::uint64_t at) {
 }
 
 Result<std::vector<std::uint8_t>> ChunkedFile::read(const MessagePlace& place) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(place.size));
-  if (place.chunk == 0) {
-    if (file_.read(place.offset, bytes)) return bytes;
-    return Status::failed(cannotBeRead(place.offset));
-  }
+  if (place.chunk == 0) return readBytes(place.offset, place.size, place.offset);
   const Result<const Contents*> chunk = chunkAt(place.chunk);
   if (!chunk.isOk()) return chunk.status();
   const Bytes records = *chunk.value();
   if (place.offset > records.size() || place.size > records.size() - place.offset) {
     return Status::failed("has changed while it was read");
   }
-  const Bytes message = records.subspan(static_cast<std::size_t>(place.offset), bytes.size());
-  std::copy(message.begin(), message.end(), bytes.begin());
-  return bytes;
+  const Bytes message =
+      records.subspan(static_cast<std::size_t>(place.offset), static_cast<std::size_t>(place.size));
+  return std::vector<std::uint8_t>(message.begin(), message.end());
 }
 
 }  // namespace tolman::ros_bag

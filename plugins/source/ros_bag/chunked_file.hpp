@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Common part of the formats whose messages are single records or in compressed chunks: reading of
-// bytes with a size limit, and of messages by their place.
+// Common part of the formats whose messages are single records or in compressed chunks.
 #pragma once
 
 #include <cstdint>
 #include <deque>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,16 +18,14 @@ class ChunkedFile : public BagFile {
 
  protected:
   using Contents = std::vector<std::uint8_t>;
-  using Problems = std::vector<std::string>;
   /// Largest size of a record and of an unpacked chunk.
   static constexpr std::uint64_t kMaxBytes = std::uint64_t{256} << 20U;
 
   explicit ChunkedFile(FileBytes file) : file_(std::move(file)) {}
   FileBytes& file() { return file_; }
-  /// Reads `size` bytes at `at`, of the record that begins at `record`. If the file is too short or
-  /// the size too large: empty, and the problem is reported.
-  std::optional<Contents> readBytes(std::uint64_t at, std::uint64_t size, std::uint64_t record,
-                                    Problems& problems);
+  /// Reads `size` bytes at `at`, of the record that begins at `record`. Of a failure the text
+  /// completes the sentence "FILE ...".
+  Result<Contents> readBytes(std::uint64_t at, std::uint64_t size, std::uint64_t record);
   /// The records of the chunk at `at`, read and unpacked.
   virtual Result<Contents> readChunk(std::uint64_t at) = 0;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <vector>
 
 #include "bytes.hpp"
@@ -33,5 +34,18 @@ class FileBytes {
   bool in_memory_ = false;
   std::vector<std::uint8_t> memory_;
 };
+
+// Decompression of Zstandard and LZ4 frames and bzip2 streams, with a limit that does not depend on
+// the size in their headers.
+
+using ros_messages::Bytes;
+
+/// Whether the bytes begin as a Zstandard frame does.
+bool isZstd(Bytes packed);
+
+/// Empty if the data are damaged, incomplete or larger than `most` bytes.
+std::optional<std::vector<std::uint8_t>> unpackZstd(Bytes packed, std::size_t most);
+std::optional<std::vector<std::uint8_t>> unpackLz4(Bytes packed, std::size_t most);
+std::optional<std::vector<std::uint8_t>> unpackBz2(Bytes packed, std::size_t most);
 
 }  // namespace tolman::ros_bag

@@ -3,31 +3,23 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <array>
-#include <vector>
-
-#include "bag_problems.hpp"
-#include "compression.hpp"
-#include "mcap_index.hpp"
+#include <optional>
 
 namespace tolman::ros_bag {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
+constexpr std::uint64_t kHeader = 9;  // bytes of a record: kind, then length of the contents
 
-/// The check sum of the bytes from `begin` to `end`; 0 if they cannot be read.
-std::uint32_t sumOf(FileBytes& file, std::uint64_t begin, std::uint64_t end) {
-  constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
-  std::vector<std::uint8_t> block(static_cast<std::size_t>(std::min(kBlock, end - begin)));
-  uLong sum = 0;
-  for (std::uint64_t at = begin; at < end; at += block.size()) {
-    block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), end - at)));
-    if (!file.read(at, block)) return 0;
-    sum = crc32_z(sum, block.data(), block.size());
-  }
-  return static_cast<std::uint32_t>(sum);
-}
+enum Kind : std::uint8_t {
+  kFooter = 2,
+  kSchema = 3,
+  kChannel = 4,
+  kMessage = 5,
+  kChunk = 6,
+  kDataEnd = 15,
+};
 
 }  // namespace
 
@@ -36,118 +28,50 @@ bool McapFile::isMcap(FileBytes& file) {
   return file.read(0, start) && start == kMagic;
 }
 
-void McapFile::visit(const MessageVisitor& visitor, FileDamage& damage) {
-  McapIndex index = readMcapIndex(file());
-  Scan scan{visitor, damage, std::move(index.types), std::move(index.topics), {}, {}, {}, false};
-  scan.counts.indexAll(index.all_messages);
-  for (const auto& [channel, messages] : index.messages) scan.counts.indexFile(channel, messages);
-  const std::optional<std::uint64_t> end = visitRecords(scan);
-  if (end && !index.problem.empty()) {
-    damage.problems.push_back(badIndex(index.problem));
-  } else if (end && *end != index.begin) {
-    damage.problems.push_back(endsEarly(*end));
-  }
-  if (scan.damaged.count() > 0) damage.problems.push_back(leftOut(scan.damaged.text()));
-  if (scan.wrong_clock.count() > 0) damage.problems.push_back(wrongClock(scan.wrong_clock.text()));
-  scan.counts.visitMissing([&](std::uint32_t channel, std::int64_t messages) {
-    const auto topic = scan.topics.find(static_cast<std::uint16_t>(channel));
-    damage.lose(topic == scan.topics.end() ? Topic() : topic->second, messages);
-  });
-  damage.lose({}, scan.counts.missingOfNone());
-}
-
-/// Visits the records up to the end of the data; the place behind them, or nothing if they were cut
-/// off, which is reported.
-std::optional<std::uint64_t> McapFile::visitRecords(Scan& scan) {
-  Problems& problems = scan.damage.problems;
+void McapFile::visit(const MessageVisitor& visitor, const DamageVisitor& damage) {
+  Scan scan{visitor, damage, {}, {}};
   std::uint64_t at = kMagic.size();
   while (true) {
-    std::array<std::uint8_t, kMcapRecordHeader> header{};
-    if (!file().read(at, header)) {
-      problems.push_back(hasNoEnd(at));
-      return std::nullopt;
-    }
+    std::array<std::uint8_t, kHeader> header{};
+    if (!file().read(at, header)) return damage("has no end: the recording was cut off");
     const std::uint8_t kind = header[0];
-    const std::uint64_t size = ByteReader(Bytes(header).subspan(1)).number<std::uint64_t>();
-    if (kind == kMcapFooter) return at;
-    at += kMcapRecordHeader;
-    const bool used = kind >= kMcapSchema && kind <= kMcapMessageIndex;
-    if (used) {
-      const std::optional<Contents> contents =
-          readBytes(at, size, at - kMcapRecordHeader, problems);
-      if (!contents) return std::nullopt;
-      visitRecord(kind, *contents, 0, at, scan);
-    } else if (size > file().size() - at) {
-      problems.push_back(endsWithin(at - kMcapRecordHeader));
-      return std::nullopt;
-    }
-    if (kind == kMcapDataEnd) checkSum(at, size, scan);
-    at += size;
-    if (kind == kMcapDataEnd) return at;  // what follows is the index
+    if (kind == kFooter || kind == kDataEnd) return;
+    const auto size = ByteReader(Bytes(header).subspan(1)).number<std::uint64_t>();
+    const Result<Contents> contents = readBytes(at + kHeader, size, at);
+    if (!contents.isOk()) return damage(contents.status().message());
+    visitRecord(kind, contents.value(), 0, at + kHeader, scan);
+    at += kHeader + size;
   }
-}
-
-/// Whether writers count the magic bytes and the header to the data differs.
-void McapFile::checkSum(std::uint64_t at, std::uint64_t size, Scan& scan) {
-  std::array<std::uint8_t, sizeof(std::uint32_t)> bytes{};
-  if (!scan.has_unsummed || size < bytes.size() || !file().read(at, bytes)) return;
-  const auto sum = ByteReader(bytes).number<std::uint32_t>();
-  std::array<std::uint8_t, kMcapRecordHeader> header{};
-  if (sum == 0 || !file().read(kMagic.size(), header)) return;
-  const std::uint64_t behind_header =
-      kMagic.size() + header.size() + ByteReader(Bytes(header).subspan(1)).number<std::uint64_t>();
-  const std::uint64_t end = at - kMcapRecordHeader;
-  for (const std::uint64_t begin :
-       {std::uint64_t{0}, std::uint64_t{kMagic.size()}, behind_header}) {
-    if (begin <= end && sumOf(file(), begin, end) == sum) return;
-  }
-  scan.damage.problems.push_back(badDataSum());
 }
 
 void McapFile::visitRecord(std::uint8_t kind, Bytes contents, std::uint64_t chunk, std::uint64_t at,
                            Scan& scan) {
   ByteReader fields(contents);
-  bool agrees = true;
-  if (kind == kMcapSchema) {
-    takeSchema(fields, scan.types);
-  } else if (kind == kMcapChannel) {
-    agrees = takeChannel(fields, scan.types, scan.topics);
-  } else if (kind == kMcapMessage) {
-    return visitMessage(contents, chunk, at, scan);
-  } else if (kind == kMcapChunk && chunk == 0) {
-    return visitChunk(contents, at, scan);
-  } else if (kind == kMcapMessageIndex && chunk == 0) {
-    const auto channel = fields.number<std::uint16_t>();
-    constexpr std::int64_t kEntry = 16;  // bytes; time and place of a message
-    const std::int64_t messages = fields.number<std::uint32_t>() / kEntry;
-    if (fields.ok()) scan.counts.indexChunk(channel, messages);
+  if (kind == kMessage) return visitMessage(contents, chunk, at, scan);
+  if (kind == kChunk && chunk == 0) return visitChunk(contents, at, scan);
+  if (kind == kSchema) {
+    const auto id = fields.number<std::uint16_t>();
+    scan.types[id] = std::string(fields.text());
+  } else if (kind == kChannel) {
+    const auto id = fields.number<std::uint16_t>();
+    const std::string type = scan.types[fields.number<std::uint16_t>()];
+    const std::string name(fields.text());
+    scan.topics.emplace(id, Topic{name, type, std::string(fields.text())});
   }
-  if (!fields.ok()) scan.damage.problems.push_back(hasPart("a damaged record", at));
-  if (!agrees) scan.damage.problems.push_back(hasPart("a topic that changes its name or type", at));
+  if (!fields.ok()) scan.damage("has a damaged record" + atByte(at));
 }
 
 void McapFile::visitMessage(Bytes contents, std::uint64_t chunk, std::uint64_t at, Scan& scan) {
-  if (chunk == 0) scan.has_unsummed = true;
   ByteReader fields(contents);
-  const auto channel = fields.number<std::uint16_t>();
+  const auto topic = scan.topics.find(fields.number<std::uint16_t>());
   fields.number<std::uint32_t>();  // sequence number
   const auto log_ns = fields.number<std::int64_t>();
   fields.number<std::int64_t>();  // time of sending
-  const auto topic = scan.topics.find(channel);
-  const std::string place = atByte(chunk == 0 ? at : chunk);
   if (!fields.ok() || topic == scan.topics.end()) {
-    scan.damaged.add([&] { return "has a damaged message" + place; });
-    if (!fields.ok()) return;
-    scan.counts.find(channel);
-    return scan.damage.lose({}, 1);
+    return scan.damage("has a damaged message" + atByte(chunk == 0 ? at : chunk));
   }
-  scan.counts.find(channel);
-  if (log_ns < 0) {
-    scan.wrong_clock.add([&] { return beforeEpoch("the message" + place, log_ns); });
-    return scan.damage.lose(topic->second, 1);
-  }
-  const MessagePlace bytes{chunk, at + fields.at(), fields.left()};
-  scan.visitor(topic->second, log_ns, bytes, contents.subspan(fields.at()));
+  const MessagePlace place{chunk, at + fields.at(), fields.left()};
+  scan.visitor(topic->second, log_ns, place, contents.subspan(fields.at()));
 }
 
 Result<McapFile::Contents> McapFile::unpack(Bytes contents) {
@@ -177,12 +101,8 @@ Result<McapFile::Contents> McapFile::unpack(Bytes contents) {
 
 void McapFile::visitChunk(Bytes contents, std::uint64_t at, Scan& scan) {
   const Result<Contents> records = unpack(contents);
-  ByteReader head(contents);
-  head.take(3 * sizeof(std::uint64_t));  // times, and size when unpacked
-  if (head.number<std::uint32_t>() == 0) scan.has_unsummed = true;
   if (!records.isOk()) {
-    scan.damage.problems.push_back(badChunk(at, records.status().message()));
-    return;
+    return scan.damage("has a chunk" + atByte(at) + " that " + records.status().message());
   }
   ByteReader fields(records.value());
   while (fields.left() > 0) {
@@ -190,23 +110,17 @@ void McapFile::visitChunk(Bytes contents, std::uint64_t at, Scan& scan) {
     const auto size = fields.number<std::uint64_t>();
     const std::size_t begin = fields.at();
     const Bytes record = fields.take(size);
-    if (!fields.ok()) {
-      scan.damage.problems.push_back(chunkEndsWithin(at));
-      return;
-    }
+    if (!fields.ok()) return scan.damage("has a chunk" + atByte(at) + " that ends in a record");
     visitRecord(kind, record, at, begin, scan);
   }
 }
 
 Result<McapFile::Contents> McapFile::readChunk(std::uint64_t at) {
-  std::array<std::uint8_t, kMcapRecordHeader> header{};
-  if (!file().read(at - kMcapRecordHeader, header))
-    return Status::invalidInput("has become shorter");
-  Problems problems;
+  std::array<std::uint8_t, kHeader> header{};
+  if (!file().read(at - kHeader, header)) return Status::invalidInput("has become shorter");
   const auto size = ByteReader(Bytes(header).subspan(1)).number<std::uint64_t>();
-  const std::optional<Contents> contents = readBytes(at, size, at - kMcapRecordHeader, problems);
-  if (!contents) return Status::invalidInput(problems.front());
-  return unpack(*contents);
+  const Result<Contents> contents = readBytes(at, size, at - kHeader);
+  return contents.isOk() ? unpack(contents.value()) : contents.status();
 }
 
 }  // namespace tolman::ros_bag

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros1_record.hpp"
 
-#include "compression.hpp"
+#include "file_bytes.hpp"
 
 namespace tolman::ros_bag {
 

@@ -3,81 +3,78 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 namespace tolman::ros_bag {
 namespace {
 
 float f(double value) { return static_cast<float>(value); }
 
+std::string secondsText(std::int64_t ns) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f s", static_cast<double>(ns) * 1e-9);
+  return text.data();
+}
+
 }  // namespace
 
-Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odometry) {
+Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odometry,
+                              std::pair<std::int64_t, std::int64_t> frames_ns,
+                              FindingCollector& findings) {
   has_imu_ = imu != nullptr;
   imu_.clear();
   poses_.clear();
-  damaged_ = 0;
-  first_damaged_.clear();
-  coverage_ = {};
-  speeds_ = {};
-  restart_ = {};
-  tells_lost_ = false;
-  if (imu != nullptr) {
-    for (const BagMessage& message : imu->index) {
+  const auto visit = [&](const BagTopic* topic, const auto& take) {
+    if (topic == nullptr) return Status::ok();
+    for (const BagMessage& message : topic->index) {
       const auto bytes = bag.read(message);
       if (!bytes.isOk()) return bytes.status();
-      auto measured = readImu(imu->message(bytes.value()));
-      if (!measured) {
-        tellDamaged(*imu, message);
-        continue;
-      }
-      measured->stamp_ns = message.stamp_ns;
-      imu_.push_back(*measured);
+      if (take(topic->message(bytes.value()), message.stamp_ns)) continue;
+      findings.add({Finding::Severity::Error,
+                    "message " + std::to_string(message.number) + " of " + topic->topic.name,
+                    "is damaged", "record it again", Finding::Kind::Damaged});
     }
-  }
-  if (odometry == nullptr) return Status::ok();
-  for (const BagMessage& message : odometry->index) {
-    const auto bytes = bag.read(message);
-    if (!bytes.isOk()) return bytes.status();
-    const auto measured = readOdometry(odometry->message(bytes.value()));
-    if (!measured) {
-      tellDamaged(*odometry, message);
-      continue;
-    }
-    speeds_.add(message.stamp_ns, *measured);
-    restart_.add(message.stamp_ns, measured->position);
+    return Status::ok();
+  };
+  Status status = visit(imu, [this](const Message& message, std::int64_t stamp_ns) {
+    auto measured = readImu(message);
+    if (!measured) return false;
+    measured->stamp_ns = stamp_ns;
+    imu_.push_back(*measured);
+    return true;
+  });
+  if (!status.isOk()) return status;
+  status = visit(odometry, [this](const Message& message, std::int64_t stamp_ns) {
+    const auto measured = readOdometry(message);
+    if (!measured) return false;
     poses_.push_back(
-        {message.stamp_ns,
+        {stamp_ns,
          {measured->position[0], measured->position[1], headingOf(measured->orientation)}});
-  }
-  std::vector<std::int64_t> stamps;
-  for (const Pose& pose : poses_) stamps.push_back(pose.stamp_ns);
-  coverage_ = OdometryCoverage(std::move(stamps));
-  return Status::ok();
+    return true;
+  });
+  const bool apart = !poses_.empty() && (poses_.front().stamp_ns > frames_ns.second ||
+                                         poses_.back().stamp_ns < frames_ns.first);
+  if (!apart) return status;
+  findings.add({Finding::Severity::Error, odometry->topic.name,
+                "measures no motion between the images: its messages are from " +
+                    secondsText(poses_.front().stamp_ns) + " to " +
+                    secondsText(poses_.back().stamp_ns) + ", the images from " +
+                    secondsText(frames_ns.first) + " to " + secondsText(frames_ns.second),
+                "check the clocks of both", Finding::Kind::Contradiction});
+  poses_.clear();
+  return status;
 }
 
-Status SideMeasurements::judgeOdometry(const std::vector<std::int64_t>& frames_ns,
-                                       std::vector<std::string>& problems) {
-  if (poses_.empty() || frames_ns.size() < 2) return Status::ok();
-  if (!coverage_.overlaps(frames_ns)) {
-    poses_.clear();
-    return Status::invalidInput("no motion between the images is measured: " +
-                                coverage_.ranges(frames_ns) + "; check the clocks of both");
+bool SideMeasurements::isMeasured(std::int64_t begin_ns, std::int64_t end_ns) const {
+  constexpr std::int64_t kPause_ns =
+      500'000'000;  // chosen, not tuned: a straight line bridges less
+  if (begin_ns < poses_.front().stamp_ns || end_ns > poses_.back().stamp_ns) return false;
+  auto next = std::ranges::upper_bound(poses_, begin_ns, {}, &Pose::stamp_ns);
+  for (; next != poses_.end() && (next - 1)->stamp_ns < end_ns; ++next) {
+    if (next->stamp_ns - (next - 1)->stamp_ns > kPause_ns) return false;
   }
-  const std::vector<std::string> found = coverage_.problems(frames_ns);
-  tells_lost_ = !found.empty();
-  problems.insert(problems.end(), found.begin(), found.end());
-  // A path that jumps back contradicts the velocities as well: its cause is told alone.
-  std::string doubt = restart_.doubt();
-  if (doubt.empty()) doubt = speeds_.doubt();
-  if (!doubt.empty()) problems.push_back(std::move(doubt));
-  return Status::ok();
-}
-
-void SideMeasurements::tellDamaged(const BagTopic& topic, const BagMessage& message) {
-  if (++damaged_ > 1) return;
-  first_damaged_ = "of " + topic.topic.name + " with the stamp " +
-                   std::to_string(message.stamp_ns) + " ns (message " +
-                   std::to_string(message.number) + ")";
+  return true;
 }
 
 PlanarPose SideMeasurements::poseAt(std::int64_t stamp_ns) const {
@@ -123,9 +120,9 @@ void SideMeasurements::measure(std::int64_t previous_ns, std::int64_t stamp_ns,
   if (poses_.empty()) return;
   const PlanarPose step = between(poseAt(previous_ns), poseAt(stamp_ns));
   sensors.push_back({"motion.planar", {3}, {f(step.x), f(step.y), f(step.theta)}});
-  if (!tells_lost_) return;
-  const bool lost = coverage_.kindOf(previous_ns, stamp_ns) != OdometryCoverage::Kind::Measured;
-  sensors.push_back({"motion.lost", {1}, {lost && previous_ns != stamp_ns ? 1.0F : 0.0F}});
+  const auto [begin_ns, end_ns] = std::minmax(previous_ns, stamp_ns);
+  const bool lost = begin_ns != end_ns && !isMeasured(begin_ns, end_ns);
+  sensors.push_back({"motion.lost", {1}, {lost ? 1.0F : 0.0F}});
 }
 
 void SideMeasurements::describe(std::vector<ArrayInfo>& arrays) const {
@@ -147,9 +144,7 @@ void SideMeasurements::describe(std::vector<ArrayInfo>& arrays) const {
   if (poses_.empty()) return;
   add("motion.planar", "", "planar motion since the frame before",
       {"x (m)", "y (m)", "theta (rad)"});
-  if (tells_lost_) {
-    add("motion.lost", "", "1 where motion.planar is not measured, but a guess", {"lost"});
-  }
+  add("motion.lost", "", "1 where motion.planar is not measured, but a guess", {"lost"});
 }
 
 }  // namespace tolman::ros_bag

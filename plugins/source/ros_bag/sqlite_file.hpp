@@ -22,16 +22,12 @@ class SqliteFile final : public BagFile {
   /// Whether the file begins as a SQLite database does.
   static bool isSqlite(FileBytes& file);
 
-  void visit(const MessageVisitor& visitor, FileDamage& damage) override;
+  void visit(const MessageVisitor& visitor, const DamageVisitor& damage) override;
   Result<std::vector<std::uint8_t>> read(const MessagePlace& place) override;
 
  private:
   SqliteFile(FileBytes bytes, std::unique_ptr<SQLite::Database> database)
       : bytes_(std::move(bytes)), database_(std::move(database)) {}
-  Status checkTables();
-  /// `found`: number of rows that were read, also if it throws.
-  void visitRows(const MessageVisitor& visitor, FileDamage& damage, std::int64_t& found);
-  std::int64_t indexedRows();
 
   FileBytes bytes_;
   std::unique_ptr<SQLite::Database> database_;

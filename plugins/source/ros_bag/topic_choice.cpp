@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "image_conversion.hpp"
 #include "messages.hpp"
 #include "pair_names.hpp"
 
@@ -15,8 +16,8 @@ using Topics = std::map<std::string, BagTopic>;
 using Types = std::initializer_list<std::string_view>;
 
 bool isOf(const BagTopic& topic, Types types) {
-  // A topic of damaged or lost messages alone is chosen, too: the source then says what is wrong.
-  return (!topic.index.empty() || topic.damaged > 0 || topic.lost > 0) &&
+  // A topic of damaged messages alone is chosen, too: the source then reports what is wrong.
+  return (!topic.index.empty() || !topic.findings.empty()) &&
          std::find(types.begin(), types.end(), topic.topic.type) != types.end();
 }
 
@@ -54,10 +55,9 @@ Result<const BagTopic*> named(const Topics& topics, const char* parameter, const
                                   " to one of: " + listed(topicsOf(topics, types)));
 }
 
+/// By the encoding of its first image, whatever the name of the topic.
 bool isDepth(const BagTopic& topic) {
-  if (topic.topic.type != kImage) return topic.topic.name.ends_with("compressedDepth");
-  const auto image = readImage(topic.firstMessage());
-  return image && (image->encoding == "16UC1" || image->encoding == "32FC1");
+  return !topic.first.empty() && ros_messages::isDepth(topic.topic.type, topic.firstMessage());
 }
 
 /// Topics of cameras. If the same images are there raw and compressed, only the raw topic.
@@ -127,18 +127,18 @@ Status chooseInfo(const Topics& topics, const char* parameter, const std::string
 /// The topic of a sensor: the named one, or the only one of its type.
 Status chooseSensor(const Topics& topics, const char* parameter, const std::string& name,
                     std::string_view type, const BagTopic*& sensor,
-                    std::vector<std::string>& undecided) {
+                    std::vector<Finding>& undecided) {
   if (!name.empty()) {
     const auto found = named(topics, parameter, name, {type});
     if (found.isOk()) sensor = found.value();
     return found.status();
   }
   const std::vector<const BagTopic*> all = topicsOf(topics, {type});
-  const bool is_lost = !all.empty() && all.front()->index.empty() && all.front()->damaged == 0;
-  if (all.size() == 1 && !is_lost) sensor = all.front();
+  if (all.size() == 1) sensor = all.front();
   if (all.size() > 1) {
-    undecided.push_back("none of these topics is used, because there are several; set " +
-                        std::string(parameter) + " to one of: " + listed(all));
+    undecided.push_back({Finding::Severity::Warning, listed(all),
+                         "are topics of one type, so none of them is used",
+                         "set " + std::string(parameter) + " to one of them"});
   }
   return Status::ok();
 }
@@ -153,8 +153,11 @@ Result<ChosenTopics> chooseTopics(const Topics& topics, const BagParameters& p) 
   };
   then(chooseInfo(topics, "left_info", p.left_info, chosen.left, chosen.left_info));
   then(chooseInfo(topics, "right_info", p.right_info, chosen.right, chosen.right_info));
-  if (!p.depth.empty())
-    then(chooseSensor(topics, "depth", p.depth, kImage, chosen.depth, chosen.undecided));
+  if (status.isOk() && !p.depth.empty()) {
+    const auto depth = named(topics, "depth", p.depth, {kImage, kCompressedImage});
+    if (depth.isOk()) chosen.depth = depth.value();
+    then(depth.status());
+  }
   then(chooseSensor(topics, "imu", p.imu, kImu, chosen.imu, chosen.undecided));
   then(chooseSensor(topics, "odometry", p.odometry, kOdometry, chosen.odometry, chosen.undecided));
   if (!status.isOk()) return status;

@@ -20,7 +20,7 @@ struct ChosenTopics {
   const BagTopic* depth = nullptr;
   const BagTopic* imu = nullptr;
   const BagTopic* odometry = nullptr;
-  std::vector<std::string> undecided;  ///< sensors with several topics, none of them chosen
+  std::vector<Finding> undecided;  ///< sensors with several topics, none of them chosen
 };
 
 /// Chooses the topics that the parameters name, and for the others the only possibility. A topic

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "camera_info_checks.hpp"
+#include "lens.hpp"
 #include "projection.hpp"
 
 namespace tolman::ros_messages {
@@ -49,7 +50,9 @@ Result<double> baselineOf(const CameraInfos& infos) {
   const Eigen::Vector3d t = offsetOf(infos.left) - offsetOf(right);
   const double baseline = t.x();
   const bool aligned = source_parameters::isBeside(t);
-  if (baseline > 1e-3 && baseline < 5 && aligned) return baseline;  // m; chosen, not tuned
+  // The sign of P[3] is often wrong; the host decides by the images whether they are exchanged.
+  const double distance = std::abs(baseline);
+  if (distance > 1e-3 && distance < 5 && aligned) return distance;  // m; chosen, not tuned
   const std::string of_left =
       infos.left.P[3] == 0 ? "" : " (left: " + shortText(infos.left.P[3]) + ")";
   const std::string found = "has P[3] = " + shortText(right.P[3]) + of_left +
@@ -59,9 +62,6 @@ Result<double> baselineOf(const CameraInfos& infos) {
     return Status::invalidInput("is " + shortText(t.y()) + " m below and " + shortText(t.z()) +
                                 " m before the left camera by P[7] and P[11]; calibrate the two as "
                                 "a pair, or give fx and baseline");
-  }
-  if (baseline < 0) {
-    return Status::invalidInput(found + ": that of a left camera; exchange left and right");
   }
   if (baseline == 0) {
     return Status::invalidInput(found +
@@ -73,25 +73,6 @@ Result<double> baselineOf(const CameraInfos& infos) {
                               "not in mm or cm; correct it, or give fx and baseline");
 }
 
-Status setModel(const CameraInfoMessage& info, RawCamera& camera) {
-  const auto zero = [](double coefficient) { return coefficient == 0; };
-  const std::vector<double>& D = info.D;
-  if (std::all_of(D.begin(), D.end(), zero)) return Status::ok();
-  const bool radial = info.model == "plumb_bob" || info.model == "rational_polynomial";
-  const bool fisheye = info.model == "equidistant" || info.model == "fisheye";
-  const bool fits =
-      (radial && (D.size() == 4 || D.size() == 5 || D.size() == 8)) || (fisheye && D.size() == 4);
-  if (!fits) {
-    return Status::unsupported("has the model '" + info.model.substr(0, 40) + "' with " +
-                               std::to_string(D.size()) +
-                               " coefficients; known are plumb_bob (4, 5), rational_polynomial (8) "
-                               "and equidistant (4)");
-  }
-  camera.model = radial ? LensModel::RadialTangential : LensModel::Equidistant;
-  for (std::size_t i = 0; i < D.size(); ++i) camera.distortion[static_cast<int>(i)] = D[i];
-  return Status::ok();
-}
-
 Result<RawCamera> rawCamera(const CameraInfoMessage& info, int width, int height) {
   RawCamera camera;
   camera.width = width;
@@ -101,7 +82,7 @@ Result<RawCamera> rawCamera(const CameraInfoMessage& info, int width, int height
   if (status.isOk()) status = checkForms(info);
   if (status.isOk()) status = checkRotation(info);
   if (status.isOk()) status = checkPinhole(camera.pinhole, width, height);
-  if (status.isOk()) status = setModel(info, camera);
+  if (status.isOk()) status = source_parameters::setLens(info.model, info.D, camera);
   if (!status.isOk()) return status;
   if (isTurned(info)) camera.R_rectified_camera = rotationOf(info);
   // The reference is the rectified left camera.
@@ -131,8 +112,15 @@ bool isRectified(const std::string& topic, const CameraInfos& infos) {
     return std::all_of(info.D.begin(), info.D.end(), zero) && !isTurned(info) &&
            isSame(K, rectifiedPinhole(info));
   };
-  if (topic.find("rect") != std::string::npos) return true;
+  std::string images = topic;  // /left/image_rect_color/compressed
+  if (images.ends_with("/compressed")) images.erase(images.rfind('/'));
+  if (images.substr(images.rfind('/') + 1).starts_with("image_rect")) return true;
   return plain(infos.left) && (!infos.right || plain(*infos.right));
+}
+
+bool hasWrongSign(const CameraInfos& infos) {
+  if (!infos.right || !hasP(*infos.right)) return false;
+  return offsetOf(infos.left).x() < offsetOf(*infos.right).x();
 }
 
 Result<CameraRig> rectifiedRig(const CameraInfos& infos, int width, int height) {

@@ -19,9 +19,13 @@ struct CameraInfos {
   std::string right_name{};
 };
 
-/// Whether the images are rectified: "rect" in the name of the topic, or no distortion, no
-/// rotation, and one camera matrix for raw and rectified images.
+/// Whether the images are rectified: the last part of the topic is `image_rect...`, as image_proc
+/// names its results, or there is no distortion, no rotation, and one camera matrix for raw and
+/// rectified images.
 bool isRectified(const std::string& topic, const CameraInfos& infos);
+
+/// Whether P[3] of the right camera is that of a left one. The baseline is its size all the same.
+bool hasWrongSign(const CameraInfos& infos);
 
 /// The rig of rectified images of this size, from P. InvalidInput for an invalid calibration.
 Result<CameraRig> rectifiedRig(const CameraInfos& infos, int width, int height);

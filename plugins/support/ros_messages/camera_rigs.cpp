@@ -35,7 +35,18 @@ Status setFromInfos(const CameraTopic& left, const CameraTopic* right, ImageSize
                     CameraRigs& rigs) {
   const Result<CameraInfos> infos = readInfos(left, right);
   if (!infos.isOk()) return infos.status();
-  if (isRectified(left.images, infos.value())) {
+  const bool rectified = isRectified(left.images, infos.value());
+  rigs.findings.push_back(
+      {Finding::Severity::Note, left.images,
+       rectified ? "is taken as rectified" : "is raw, and rectified by D, R, P"});
+  if (hasWrongSign(infos.value())) {
+    rigs.findings.push_back({Finding::Severity::Warning, right->info_name,
+                             "has a positive P[3], as of a camera to the left of the left one; its "
+                             "size is used as the baseline",
+                             "correct its sign; if the images are exchanged, the run says so",
+                             Finding::Kind::Contradiction});
+  }
+  if (rectified) {
     const Result<CameraRig> rig = rectifiedRig(infos.value(), size.width, size.height);
     if (rig.isOk()) rigs.rectified = rig.value();
     return rig.status();

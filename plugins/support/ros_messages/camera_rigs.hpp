@@ -4,11 +4,13 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "coded_image.hpp"
+#include "image_conversion.hpp"
 #include "message.hpp"
 #include "message_cameras.hpp"
 #include "tolman/camera.hpp"
+#include "tolman/context.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::ros_messages {
@@ -27,6 +29,7 @@ struct CameraTopic {
 struct CameraRigs {
   CameraRig rectified;
   RawRig raw;
+  std::vector<Finding> findings;  ///< what was decided, and what is odd
 
   /// Suffix of the text that describes a source.
   std::string suffix() const {

@@ -8,6 +8,8 @@
 #include <new>
 #include <opencv2/imgproc.hpp>
 
+#include "coded_image.hpp"
+#include "png_decoder.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::ros_messages {
@@ -68,7 +70,16 @@ Status checkRows(const ImageMessage& image, ImageSize size, int pixel_bytes) {
                               std::to_string(image.step * rows));
 }
 
-cv::Mat eightOfSixteen(const ImageMessage& image, ImageSize size, DeepPixels& deep) {
+Result<ImageSize> plausibleSize(std::uint64_t width, std::uint64_t height) {
+  constexpr std::uint64_t kMaxPixels = 100'000'000;  // bounds memory: 300 MB of colour
+  if (width < 1 || height < 1 || width > kMaxPixels || height > kMaxPixels / width) {
+    return Status::invalidInput("claims an impossible size of " + std::to_string(width) + "x" +
+                                std::to_string(height) + " px");
+  }
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
+cv::Mat eightOfSixteen(const ImageMessage& image, ImageSize size, UsedBits& bits) {
   cv::Mat pixels(size.height, size.width, CV_8UC1);
   const std::size_t upper = image.big_endian ? 0 : 1;
   for (int y = 0; y < size.height; ++y) {
@@ -76,13 +87,13 @@ cv::Mat eightOfSixteen(const ImageMessage& image, ImageSize size, DeepPixels& de
         image.data.data() + std::size_t{image.step} * static_cast<unsigned>(y);
     std::uint8_t* to = pixels.ptr(y);
     for (int x = 0; x < size.width; ++x, from += 2) {
-      to[x] = deep.convert(from[upper] << 8 | from[1 - upper]);
+      to[x] = bits.convert(static_cast<std::uint16_t>(from[upper] << 8 | from[1 - upper]));
     }
   }
   return pixels;
 }
 
-Result<Image> convertRaw(const ImageMessage& image, bool colour, DeepPixels& deep) {
+Result<Image> convertRaw(const ImageMessage& image, bool colour, UsedBits& bits) {
   const PixelLayout* encoding = layoutOf(image.encoding);
   if (encoding == nullptr) {
     return Status::unsupported("has the encoding '" + std::string(image.encoding.substr(0, 40)) +
@@ -94,7 +105,7 @@ Result<Image> convertRaw(const ImageMessage& image, bool colour, DeepPixels& dee
   if (!status.isOk()) return status;
   cv::Mat pixels =
       encoding->bytes == 2
-          ? eightOfSixteen(image, size.value(), deep)
+          ? eightOfSixteen(image, size.value(), bits)
           : cv::Mat(size.value().height, size.value().width, CV_8UC(encoding->channels),
                     const_cast<std::uint8_t*>(image.data.data()), image.step);
   const int conversion = colour ? encoding->to_bgr : encoding->to_gray;
@@ -111,6 +122,37 @@ Result<Image> convertRaw(const ImageMessage& image, bool colour, DeepPixels& dee
     return Status::unsupported("has a size that its encoding cannot have");
   }
   return asImage(converted);
+}
+
+/// The format of a CompressedImage of depth: "16UC1; png compressed", "32FC1; compressedDepth png".
+bool isDepthFormat(std::string_view format) {
+  return format.starts_with("16UC1") || format.starts_with("32FC1") ||
+         format.find("compressedDepth") != std::string_view::npos;
+}
+
+/// compressedDepth of image_transport has a header of 12 bytes (format, and two parameters a, b of
+/// quantised inverse depth) before its PNG: a depth of 32FC1 is a / (value - b) m, one of 16UC1 is
+/// in mm.
+Result<std::vector<float>> codedDepth(const CompressedImageMessage& image, ImageSize& size) {
+  constexpr std::size_t kHeader = 12;
+  const bool has_header = image.format.find("compressedDepth") != std::string_view::npos;
+  if (has_header && image.data.size() < kHeader) return Status::invalidInput("is not complete");
+  const auto png = coded_images::decodeDepth(has_header ? image.data.subspan(kHeader) : image.data);
+  if (!png.isOk()) return png.status();
+  ByteReader header(image.data);
+  header.number<std::uint32_t>();
+  const auto a = std::bit_cast<float>(header.number<std::uint32_t>());
+  const auto b = std::bit_cast<float>(header.number<std::uint32_t>());
+  const bool quantised = has_header && image.format.starts_with("32FC1");
+  size = {png.value().width, png.value().height};
+  std::vector<float> depth;
+  depth.reserve(png.value().values.size());
+  for (const std::uint16_t value : png.value().values) {
+    const auto number = static_cast<float>(value);
+    const float metres = value == 0 ? 0 : quantised ? a / (number - b) : number / 1000.0F;
+    depth.push_back(metres > 0 && metres < 1e6F ? metres : 0);
+  }
+  return depth;
 }
 
 std::string sizeText(ImageSize size) {
@@ -135,30 +177,34 @@ std::string doubtOfRows(const Message& message) {
 Result<ImageSize> imageSize(const std::string& type, const Message& message) {
   if (type == kCompressedImage) {
     const auto image = readCompressedImage(message);
-    return image ? codedSize(image->data) : damaged(message);
+    if (!image) return damaged(message);
+    UsedBits bits;
+    const Result<Image> decoded = coded_images::decodeImage(image->data, false, bits);
+    if (!decoded.isOk()) return decoded.status();
+    return ImageSize{decoded.value().width(), decoded.value().height()};
   }
   const auto image = readImage(message);
   return image ? plausibleSize(image->width, image->height) : damaged(message);
 }
 
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
-                           DeepPixels& deep) {
+                           UsedBits& bits) {
   if (type == kCompressedImage) {
     const auto image = readCompressedImage(message);
-    return image ? decodeImage(image->data, colour, deep) : damaged(message);
+    return image ? coded_images::decodeImage(image->data, colour, bits) : damaged(message);
   }
   const auto image = readImage(message);
-  return image ? convertRaw(*image, colour, deep) : damaged(message);
+  return image ? convertRaw(*image, colour, bits) : damaged(message);
 }
 
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour) {
-  DeepPixels deep;
-  return convertImage(type, message, colour, deep);
+  UsedBits bits;
+  return convertImage(type, message, colour, bits);
 }
 
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
-                           ImageSize size, const std::string& first, DeepPixels& deep) {
-  Result<Image> image = convertImage(type, message, colour, deep);
+                           ImageSize size, const std::string& first, UsedBits& bits) {
+  Result<Image> image = convertImage(type, message, colour, bits);
   if (!image.isOk()) return image;
   const ImageSize found{image.value().width(), image.value().height()};
   if (found == size) return image;
@@ -166,7 +212,21 @@ Result<Image> convertImage(const std::string& type, const Message& message, bool
                               sizeText(size));
 }
 
-Result<std::vector<float>> convertDepth(const Message& message, ImageSize& size) {
+bool isDepth(const std::string& type, const Message& message) {
+  if (type == kCompressedImage) {
+    const auto image = readCompressedImage(message);
+    return image && isDepthFormat(image->format);
+  }
+  const auto image = readImage(message);
+  return image && (image->encoding == "16UC1" || image->encoding == "32FC1");
+}
+
+Result<std::vector<float>> convertDepth(const std::string& type, const Message& message,
+                                        ImageSize& size) {
+  if (type == kCompressedImage) {
+    const auto coded = readCompressedImage(message);
+    return coded ? codedDepth(*coded, size) : damaged(message);
+  }
   const auto image = readImage(message);
   if (!image) return damaged(message);
   const bool millimetres = image->encoding == "16UC1" || image->encoding == "mono16";

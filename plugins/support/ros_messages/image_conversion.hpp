@@ -4,12 +4,20 @@
 
 #include <vector>
 
-#include "coded_image.hpp"
 #include "messages.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
+#include "used_bits.hpp"
 
 namespace tolman::ros_messages {
+
+using source_parameters::UsedBits;
+
+struct ImageSize {
+  int width = 0;   ///< px
+  int height = 0;  ///< px
+  bool operator==(const ImageSize&) const = default;
+};
 
 /// Size of the image in a message of type `type`.
 Result<ImageSize> imageSize(const std::string& type, const Message& message);
@@ -19,20 +27,23 @@ Result<ImageSize> imageSize(const std::string& type, const Message& message);
 /// image may have such rows, so this is a doubt, no failure. Without topic; empty if there is none.
 std::string doubtOfRows(const Message& message);
 
-/// The image in a message of type `type`, as Gray8, or as Bgr8 if `colour`. `deep`
-/// says how 16 bits are used, and is filled in. Failures do not name topic and time; the caller
-/// adds them.
+/// The image in a message of type `type`, as Gray8, or as Bgr8 if `colour`. Values of 16
+/// bits are converted by `bits`. Failures do not name topic and time; the caller adds them.
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
-                           DeepPixels& deep);
+                           UsedBits& bits);
 /// The same with the upper 8 of 16 bits.
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour);
 
 /// The same for images of one size, that of the first image of the topic `first`.
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
-                           ImageSize size, const std::string& first, DeepPixels& deep);
+                           ImageSize size, const std::string& first, UsedBits& bits);
 
-/// Depth in m, row by row, 0 where unknown. The message has the type Image and the encoding 16UC1
-/// (mm) or 32FC1 (m).
-Result<std::vector<float>> convertDepth(const Message& message, ImageSize& size);
+/// Whether the image in a message of type `type` is one of depth, by its encoding.
+bool isDepth(const std::string& type, const Message& message);
+
+/// Depth in m, row by row, 0 where unknown, of an Image with the encoding 16UC1 (mm) or 32FC1 (m),
+/// or of a CompressedImage as image_transport writes it: PNG of 16UC1, or `compressedDepth`.
+Result<std::vector<float>> convertDepth(const std::string& type, const Message& message,
+                                        ImageSize& size);
 
 }  // namespace tolman::ros_messages

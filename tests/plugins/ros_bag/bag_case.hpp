@@ -61,11 +61,11 @@ struct Played {
     values["path"] = path.string();
     return values;
   }
-  std::vector<std::string> findings() {
-    std::vector<Finding> found;
-    (void)source.inspect(found);
+  /// "error /left: has 3 messages without a time in their header", notes aside.
+  std::vector<std::string> findings() const {
     std::vector<std::string> texts;
-    for (const Finding& f : found) {
+    for (const Finding& f : context.findings) {
+      if (f.severity == Finding::Severity::Note) continue;
       texts.push_back(std::string(enumName(f.severity)) + " " + f.where + ": " + f.message);
     }
     return texts;
@@ -76,6 +76,28 @@ struct Played {
   SourceInfo info;
   std::vector<Frame> frames;
   std::string message;  ///< of the failure; empty after the end
+};
+
+/// What a file of a bag gives.
+struct ReadFile {
+  explicit ReadFile(BagFile& file) {
+    std::vector<MessagePlace> places;
+    file.visit(
+        [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes message) {
+          messages.push_back(topic.name + " " + topic.type + " " + std::to_string(log_ns) + " " +
+                             std::string(asText(message)));
+          places.push_back(place);
+        },
+        [&](const std::string& what) { damage.push_back(what); });
+    for (auto place = places.rbegin(); place != places.rend(); ++place) {
+      const auto message = file.read(*place);
+      again.insert(again.begin(), message.isOk() ? std::string(asText(message.value()))
+                                                 : message.status().message());
+    }
+  }
+  std::vector<std::string> messages;
+  std::vector<std::string> again;  ///< the bytes, read once more from the last to the first
+  std::vector<std::string> damage;
 };
 
 }  // namespace tolman::ros_bag

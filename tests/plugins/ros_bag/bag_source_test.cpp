@@ -42,32 +42,20 @@ TEST_CASE("reading a bag is cancelled within its file, not at its end") {
     bool requested() const override { return ++asked >= 3; }
     mutable int asked = 0;
   };
+  struct NoFindings : FindingCollector {
+    void add(Finding) override {}
+  };
   const test::TemporaryFolder folder;
   test::writeDb3(folder.path() / "a.db3", pairMessages(5));
   test::writeBytes(folder.path() / "a.mcap", test::mcapBytes(pairMessages(5), {"zstd"}));
   for (const char* name : {"a.db3", "a.mcap"}) {
     const Third cancellation;
-    const Result<Bag> bag = Bag::open(folder.path() / name, cancellation);
+    NoFindings findings;
+    const Result<Bag> bag = Bag::open(folder.path() / name, cancellation, findings);
     REQUIRE_FALSE(bag.isOk());
     CHECK(bag.status().code() == StatusCode::Cancelled);
     CHECK(cancellation.asked == 3);
   }
-}
-
-TEST_CASE("images without a time in their header are not mixed with those that have one") {
-  const test::TemporaryFolder folder;
-  std::vector<test::RosMessage> messages = pairMessages(6);
-  for (int camera = 0; camera < 2; ++camera) {  // before the simulated clock is published
-    const std::string pixels(48, 'x');
-    messages[static_cast<std::size_t>(2 + camera)].bytes =
-        test::imageMessage({0, 8, 6, "mono8", pixels});
-  }
-  test::writeDb3(folder.path() / "a.db3", messages);
-  CHECK_THAT(Played(folder.path() / "a.db3").message,
-             Catch::Contains("/left/image_rect: 1 images have no time in their header"));
-  Played without(folder.path() / "a.db3", {{"on_corrupt", std::string("skip")}});
-  REQUIRE(without.frames.size() == 5);
-  CHECK(without.frames[0].stamp_ns == stampOf(1));
 }
 
 TEST_CASE("a camera that changes within a bag is refused, unless the calibration is given") {
@@ -90,8 +78,9 @@ TEST_CASE("a recording in several files is one") {
   const auto half = all.begin() + 6;
   test::writeBytes(folder.path() / "x_0.mcap", test::mcapBytes({all.begin(), half}, {"lz4"}));
   test::writeDb3(folder.path() / "x_1.db3", {half, all.end()});
-  test::writeBytes(folder.path() / "metadata.yaml",
-                   "relative_file_paths:\n  - x_0.mcap\n  - x_1.db3\n");
+  test::writeBytes(
+      folder.path() / "metadata.yaml",
+      "rosbag2_bagfile_information:\n  relative_file_paths:\n    - x_0.mcap\n    - x_1.db3\n");
   const Played played(folder.path());
   CHECK(played.message.empty());
   REQUIRE(played.frames.size() == 4);
@@ -133,17 +122,16 @@ TEST_CASE("a pair without calibration, and how it is used") {
         "baseline is given without fx; give both");
 }
 
-TEST_CASE("an inspection lists the topics and their use") {
+TEST_CASE("notes list the topics and their use") {
   const test::TemporaryFolder folder;
   test::writeDb3(folder.path() / "a.db3", pairMessages(3));
-  const auto findings = Played(folder.path()).findings();
-  REQUIRE(findings.size() == 5);
-  CHECK(findings[1] ==
-        "note /left/image_rect: sensor_msgs/msg/Image, 3 messages at 20 Hz, "
-        "0.0003 MB, 8x6 mono8, used as left");
-  CHECK(findings[2] ==
-        "note /right/camera_info: sensor_msgs/msg/CameraInfo, 1 message, "
-        "0.000357 MB, used as right_info");
+  const Played played(folder.path());
+  const auto& notes = played.context.findings;
+  REQUIRE(notes.size() == 5);  // four topics, and what was decided
+  CHECK(notes[1].where == "/left/image_rect");
+  CHECK(notes[1].message ==
+        "sensor_msgs/msg/Image, 3 messages at 20 Hz, 0.0003 MB, 8x6 mono8, used as left");
+  CHECK(notes[4].message == "is taken as rectified");
 }
 
 }  // namespace tolman::ros_bag

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compression.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "bag_case.hpp"
+#include "file_bytes.hpp"
 
 namespace tolman::ros_bag {
 

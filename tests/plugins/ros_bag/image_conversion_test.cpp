@@ -69,15 +69,14 @@ TEST_CASE("a Bayer pattern of one colour is that colour") {
   }
 }
 
-TEST_CASE("of 16 bits as many are used as are said, and the largest value is found") {
+TEST_CASE("of 16 bits as many are used as the camera has") {
   // Values 0x0234, 0x03fe, 0x0080, 0x0100, of a camera of 10 bits.
   const std::string ten("\x34\x02\xfe\x03\x80\x00\x00\x01", 8);
   const auto as = [&](int bits) {
-    DeepPixels deep{bits};
+    UsedBits used(bits);
     const auto image =
-        convertImage(kRaw, asBytes(test::imageMessage({1, 2, 2, "mono16", ten})), false, deep);
+        convertImage(kRaw, asBytes(test::imageMessage({1, 2, 2, "mono16", ten})), false, used);
     REQUIRE(image.isOk());
-    CHECK(deep.widths.largest() == 0x3fe);
     const Image& grey = image.value();
     return std::vector<int>{grey.row(0)[0], grey.row(0)[1], grey.row(1)[0], grey.row(1)[1]};
   };
@@ -86,20 +85,30 @@ TEST_CASE("of 16 bits as many are used as are said, and the largest value is fou
   CHECK(as(9) == std::vector<int>{255, 255, 0x80 >> 1, 0x100 >> 1});
 }
 
-TEST_CASE("a compressed image of 16 bits is used alike, one of 8 bits as it is") {
-  const auto as = [](const cv::Mat& pixels, int bits, int largest) {
-    std::vector<std::uint8_t> png;
-    REQUIRE(cv::imencode(".png", pixels, png));
-    DeepPixels deep{bits};
-    const auto image = decodeImage({png.data(), png.size()}, false, deep);
-    REQUIRE(image.isOk());
-    CHECK(deep.widths.largest() == largest);
-    return int{image.value().row(0)[0]};
+TEST_CASE("depth in PNG as image_transport writes it") {
+  std::vector<std::uint8_t> png;
+  REQUIRE(cv::imencode(".png", cv::Mat(1, 2, CV_16UC1, cv::Scalar(1500)), png));
+  const std::string coded(png.begin(), png.end());
+  const auto depth = [](const std::string& format, const std::string& data) {
+    const std::string message = test::compressedImageMessage(1, format, data);
+    CHECK(isDepth(std::string(kCompressedImage), asBytes(message)));
+    ImageSize size;
+    const auto values = convertDepth(std::string(kCompressedImage), asBytes(message), size);
+    REQUIRE(values.isOk());
+    CHECK(size == ImageSize{2, 1});
+    return values.value().at(0);
   };
-  const cv::Mat deep(4, 4, CV_16UC1, cv::Scalar(0x234));
-  CHECK(as(deep, 16, 0x234) == 2);
-  CHECK(as(deep, 10, 0x234) == 0x8d);
-  CHECK(as(cv::Mat(4, 4, CV_8UC1, cv::Scalar(77)), 10, -1) == 77);
+  CHECK(depth("16UC1; png compressed", coded) == 1.5F);
+  const auto header = [](float a, float b) {
+    std::string bytes(12, '\0');
+    std::memcpy(bytes.data() + 4, &a, 4);
+    std::memcpy(bytes.data() + 8, &b, 4);
+    return bytes;
+  };
+  CHECK(depth("16UC1; compressedDepth png", header(0, 0) + coded) == 1.5F);
+  CHECK(depth("32FC1; compressedDepth png", header(3000, 500) + coded) == 3.0F);  // a / (value - b)
+  CHECK_FALSE(isDepth(std::string(kCompressedImage), asBytes(test::compressedImageMessage(
+                                                         1, "bgr8; png compressed bgr8", coded))));
 }
 
 TEST_CASE("16 bit, rows with bytes behind them, and YUV") {
@@ -171,17 +180,20 @@ TEST_CASE("what cannot be converted says why") {
 TEST_CASE("depth in metres, and 0 where it is not known") {
   ImageSize size;
   const auto whole = convertDepth(
-      asBytes(test::imageMessage({1, 2, 1, "16UC1", std::string("\xe8\x03\x00\x00", 4)})), size);
+      kRaw, asBytes(test::imageMessage({1, 2, 1, "16UC1", std::string("\xe8\x03\x00\x00", 4)})),
+      size);
   REQUIRE(whole.isOk());
   CHECK(size == ImageSize{2, 1});
   CHECK(whole.value() == std::vector<float>{1.0F, 0.0F});
   const std::array<float, 4> metres = {2.5F, NAN, -1.0F, INFINITY};
   std::string pixels(16, '\0');
   std::memcpy(pixels.data(), metres.data(), 16);
-  const auto real = convertDepth(asBytes(test::imageMessage({1, 4, 1, "32FC1", pixels})), size);
+  const auto real =
+      convertDepth(kRaw, asBytes(test::imageMessage({1, 4, 1, "32FC1", pixels})), size);
   REQUIRE(real.isOk());
   CHECK(real.value() == std::vector<float>{2.5F, 0, 0, 0});
-  CHECK_FALSE(convertDepth(asBytes(test::imageMessage({1, 2, 1, "mono8", "ab"})), size).isOk());
+  CHECK_FALSE(
+      convertDepth(kRaw, asBytes(test::imageMessage({1, 2, 1, "mono8", "ab"})), size).isOk());
 }
 
 }  // namespace tolman::ros_bag

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bag_case.hpp"
-#include "ros1_file.hpp"
 
 namespace tolman::ros_bag {
 
@@ -70,38 +69,5 @@ inline std::string ros1ChunkInfo(std::uint32_t messages) {
   return ros1Record({ros1Op('\6'), "count=" + rawNumber(2U)},
                     rawNumber(0U) + rawNumber(messages) + rawNumber(1U) + rawNumber(messages));
 }
-
-/// What the reader finds in the bytes of a file.
-struct Ros1Read {
-  explicit Ros1Read(const std::string& bytes) {
-    const test::TemporaryFolder folder;
-    test::writeBytes(folder.path() / "a.bag", bytes);
-    auto file = FileBytes::open(folder.path() / "a.bag");
-    auto opened = Ros1File::open(std::move(file).value());
-    refusal = opened.status().message();
-    if (!opened.isOk()) return;
-    std::vector<MessagePlace> places;
-    FileDamage damage;
-    opened.value()->visit(
-        [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes message) {
-          messages.push_back(topic.name + " " + topic.type + " " + std::to_string(log_ns) + " " +
-                             std::string(asText(message)));
-          places.push_back(place);
-        },
-        damage);
-    problems = damage.problems;
-    lost = lostText(damage.lost);
-    for (auto place = places.rbegin(); place != places.rend(); ++place) {
-      const auto message = opened.value()->read(*place);
-      again.insert(again.begin(), message.isOk() ? std::string(asText(message.value()))
-                                                 : message.status().message());
-    }
-  }
-  std::string refusal;
-  std::vector<std::string> messages;
-  std::vector<std::string> again;  ///< the bytes, read once more from the last to the first
-  std::vector<std::string> problems;
-  std::string lost;
-};
 
 }  // namespace tolman::ros_bag

@@ -74,13 +74,12 @@ TEST_CASE("depth goes along, 0 where there is none") {
   std::vector<ArrayInfo> arrays;
   REQUIRE(played.source.describe(arrays).isOk());
   CHECK(arrays.at(0).kind == ArrayKind::DepthImage);
-  REQUIRE(played.context.log.size() == 1);
-  CHECK_THAT(played.context.log[0],
-             Catch::EndsWith("/depth: 1 of 2 frames have no depth image within the tolerance; set "
-                             "tolerance"));
+  CHECK(played.findings() ==
+        std::vector<std::string>{
+            "warning /depth: has no image within the tolerance for 1 of 2 frames"});
 }
 
-TEST_CASE("depth of another size than the images is told") {
+TEST_CASE("depth of another size than the images is reported") {
   std::vector<test::RosMessage> messages = {greyImage("/rgb", 0)};
   messages.push_back({"/depth", std::string(kImage), stampOf(0),
                       test::imageMessage({stampOf(0), 4, 3, "16UC1", std::string(24, '\1')})});
@@ -88,11 +87,8 @@ TEST_CASE("depth of another size than the images is told") {
   test::writeDb3(folder.path() / "bag.db3", messages);
   Played played(folder.path(), {{"depth", std::string("/depth")}});
   CHECK(played.message.empty());
-  REQUIRE(played.context.log.size() == 1);
-  CHECK_THAT(
-      played.context.log[0],
-      Catch::EndsWith("/depth: its images have 4x3 px, those of the camera 8x6 px; take depth "
-                      "that is registered to the camera's image"));
+  CHECK(played.findings() ==
+        std::vector<std::string>{"warning /depth: has images of 4x3 px, and the camera of 8x6 px"});
 }
 
 }  // namespace tolman::ros_bag

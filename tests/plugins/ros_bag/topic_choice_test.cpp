@@ -50,7 +50,7 @@ TEST_CASE("one camera, a pair, and the same images twice") {
   CHECK(chosen(topics, mono) == "/cam0/image_raw/compressed - /cam0/camera_info - - - ");
 }
 
-TEST_CASE("a bag of depth alone is told as such") {
+TEST_CASE("a bag of depth alone is refused as such") {
   Topics topics;
   add(topics, "/camera/depth", kImage, "32FC1");
   CHECK(chosen(topics).starts_with("the bag has images of depth only (/camera/depth); record "));
@@ -69,8 +69,8 @@ TEST_CASE("depth is no camera, and is taken where it is named") {
   CHECK(chosen(topics) == "/camera/color - - - - - ");
   const auto undecided = chooseTopics(topics, {}).value().undecided;
   REQUIRE(undecided.size() == 1);
-  CHECK(undecided[0] ==
-        "none of these topics is used, because there are several; set imu to one of: /imu, /imu2");
+  CHECK(undecided[0].where == "/imu, /imu2");
+  CHECK(undecided[0].remedy == "set imu to one of them");
 }
 
 TEST_CASE("what is ambiguous or wrong names the parameter and the topics") {
