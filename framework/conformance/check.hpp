@@ -1,15 +1,98 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of conformance checks: each is one requirement on a plugin and the function that tests
-// it.
+// The context of one check: the plugin, its input, and the messages to the kit; and the table of
+// checks.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "conformance/check_result.hpp"
+#include "conformance/child.hpp"
+#include "conformance/test_instance.hpp"
+#include "tolman/fields.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::conformance {
+
+// The context of one check: the plugin, its input, and the messages to the kit.
+
+/// Thrown to end a check early. The messages sent so far remain valid.
+struct CheckEnded {};
+
+class CheckContext {
+ public:
+  using Send = std::function<void(const CheckMessage&)>;
+
+  /// `remedy` is added to warnings and errors that have none.
+  CheckContext(CheckTask task, std::string_view remedy, Send send)
+      : task_(std::move(task)), remedy_(remedy), send_(std::move(send)) {}
+
+  const CheckTask& task() const { return task_; }
+
+  /// Reads the manifest from the file without opening the library. A refusal ends the check.
+  host::Manifest manifest() const;
+  /// The opened plugin with the values of --set. Ends the check when it cannot be loaded.
+  const PluginUnderTest& plugin();
+  /// As plugin(), but skips the check when a required parameter has no value.
+  const PluginUnderTest& completePlugin();
+
+  /// Input for the role; from one camera if the plugin does not support two, with depth images if
+  /// it is an odometry that does not support images alone.
+  InputSequence sequence();
+  /// A shorter sequence of the same rig: other images, other noise, fewer frames per circle.
+  InputSequence otherSequence();
+  SequenceOptions sequenceOptions();
+  /// An instance that was constructed and configured for the rig. A failure ends the check.
+  std::unique_ptr<TestInstance> configured(const CameraRig& rig);
+  /// A new instance processes the sequence, finishes and is destroyed. A failure ends the check;
+  /// `when` goes before its message.
+  Transcript runOnce(const InputSequence& sequence, const std::string& when = {});
+
+  /// Describes the input of the calls that follow.
+  void currentInput(const std::string& description) const { send_(CurrentInput{description}); }
+  void error(const std::string& message, const std::string& remedy = {}) const;
+  void warning(const std::string& message, const std::string& remedy = {}) const;
+  void note(const std::string& message) const;
+  void measured(const std::string& name, double value, const std::string& unit) const {
+    send_(Measurement{name, value, unit});
+  }
+  [[noreturn]] void skip(const std::string& reason) const;
+  [[noreturn]] void refuse(const host::Refusal& refusal) const;
+  /// A failure becomes an error and ends the check.
+  void require(const Status& status, const std::string& when = {}) const;
+  /// Time since the check began, as a share of its timeout.
+  double timeUsed() const;
+
+ private:
+  /// Whether an odometry refuses the first frame of such a sequence, as Unsupported.
+  bool needsDepth(SequenceOptions options);
+  void report(CheckSeverity severity, const std::string& message, std::string remedy) const;
+
+  CheckTask task_;
+  std::string remedy_;
+  Send send_;
+  std::optional<PluginUnderTest> plugin_;
+  std::optional<bool> stereo_;
+  std::optional<bool> depth_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// The values of --set, checked as the host checks a configuration. A required parameter without a
+/// value is not a problem here; `missing` lists it.
+Settings readSettings(const Schema& schema, const std::string& id,
+                      const std::vector<std::string>& assignments);
+
+// The table of conformance checks: each is one requirement on a plugin and the function that tests
+// it.
 
 class CheckContext;
 

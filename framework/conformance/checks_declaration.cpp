@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "conformance/check.hpp"
-#include "conformance/check_context.hpp"
 
 namespace tolman::conformance {
 namespace {

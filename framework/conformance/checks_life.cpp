@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calls in every legal order, and valid answers in a plain run.
+#include <oneapi/tbb/global_control.h>
+
 #include <array>
+#include <thread>
 
 #include "conformance/check.hpp"
-#include "conformance/check_context.hpp"
+#include "conformance/checks_input.hpp"
 
 namespace tolman::conformance {
+
 namespace {
 
 constexpr std::size_t kFew = 6;  // frames
@@ -96,5 +100,123 @@ constexpr std::array kLifeChecks = {
 }  // namespace
 
 std::span<const Check> lifeChecks() { return kLifeChecks; }
+
+// Equal input gives bitwise equal answers: in a second instance, after reset(), with other threads.
+
+namespace {
+
+Transcript answersOf(CheckContext& context, TestInstance& instance, const InputSequence& sequence) {
+  context.require(instance.run(sequence));
+  context.require(instance.finish(sequence));
+  return instance.transcript();
+}
+
+void compare(const CheckContext& context, const Transcript& expected, const Transcript& found,
+             const std::string& what) {
+  if (const auto difference = firstDifference(expected, found)) {
+    context.error(what + " differs at " + *difference);
+  }
+}
+
+/// Both instances exist at the same time, at different addresses, and run one after the other, at
+/// different times.
+void checkDeterministic(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto first = context.configured(sequence.rig);
+  const auto second = context.configured(sequence.rig);
+  const Transcript expected = answersOf(context, *first, sequence);
+  compare(context, expected, answersOf(context, *second, sequence), "a second instance");
+}
+
+void checkInterleaved(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto alone = context.configured(sequence.rig);
+  const Transcript expected = answersOf(context, *alone, sequence);
+  const auto first = context.configured(sequence.rig);
+  const auto second = context.configured(sequence.rig);
+  for (std::size_t i = 0; i < sequence.inputs.size(); ++i) {
+    context.require(first->run(sequence, i, i + 1));
+    context.require(second->run(sequence, i, i + 1));
+  }
+  context.require(first->finish(sequence));
+  context.require(second->finish(sequence));
+  compare(context, expected, first->transcript(), "an instance that alternates with another");
+  compare(context, expected, second->transcript(), "an instance that alternates with another");
+}
+
+void checkReset(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto instance = context.configured(sequence.rig);
+  const Transcript expected = answersOf(context, *instance, sequence);
+  context.require(instance->reset());
+  instance->clearTranscript();
+  compare(context, expected, answersOf(context, *instance, sequence),
+          "a run after finish() and reset()");
+  // State that reset() does not clear can be without effect after the same drive, because it has
+  // the same values. So reset() is also tested after another drive.
+  const auto elsewhere = context.configured(sequence.rig);
+  context.require(elsewhere->run(context.otherSequence()), "another drive");
+  context.require(elsewhere->reset());
+  elsewhere->clearTranscript();
+  compare(context, expected, answersOf(context, *elsewhere, sequence),
+          "a run after reset() during another drive");
+}
+
+void checkThreads(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto with = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return context.runOnce(sequence);
+  };
+  const Transcript expected = with(1);
+  compare(context, expected, with(4), "a run with 4 threads instead of 1");
+  compare(context, expected, with(3), "a run with 3 threads instead of 1");
+}
+
+/// The host makes one call at a time, but not always from the same thread.
+void checkMigration(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const Transcript expected = context.runOnce(sequence);
+  const auto instance = context.configured(sequence.rig);
+  for (std::size_t i = 0; i < sequence.inputs.size(); ++i) {
+    Status status;
+    std::thread([&] { status = instance->run(sequence, i, i + 1); }).join();
+    context.require(status, "called from another thread");
+  }
+  context.require(instance->finish(sequence));
+  compare(context, expected, instance->transcript(), "a run with calls from several threads");
+}
+
+void checkPadding(CheckContext& context) {
+  InputSequence sequence = context.sequence();
+  const Transcript expected = context.runOnce(sequence);
+  padRows(sequence);
+  compare(context, expected, context.runOnce(sequence), "a run with padded image rows");
+}
+
+constexpr std::array kRepeatChecks = {
+    Check{"deterministic", 2, kAllRoles,
+          "two instances with equal seed and input give bitwise equal answers",
+          "depend only on input, parameters and context.seed: no clock, address or uninitialised "
+          "memory",
+          &checkDeterministic, true},
+    Check{"interleaved", 2, kAllRoles,
+          "two instances that run alternately do not influence each other",
+          "keep all state in the instance: no statics, no globals", &checkInterleaved, true},
+    Check{"reset", 2, kAllRoles, "after reset() an instance gives bitwise the answers of a new one",
+          "reset() restores every member, random streams included, to its value after configure()",
+          &checkReset, true},
+    Check{"padded-rows", 2, kWithImages, "answers do not depend on the stride of an image",
+          "address rows with image.row(r) or image.stride()", &checkPadding},
+    Check{"threads", 3, kAllRoles, "answers do not depend on the number of threads",
+          "sum in a fixed order: tbb::parallel_deterministic_reduce, or slots by index",
+          &checkThreads, true},
+    Check{"migration", 3, kAllRoles, "answers do not depend on the calling thread",
+          "keep no state in thread-local variables", &checkMigration, true},
+};
+
+}  // namespace
+
+std::span<const Check> repeatChecks() { return kRepeatChecks; }
 
 }  // namespace tolman::conformance

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "conformance/check.hpp"
-#include "conformance/check_context.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::conformance {

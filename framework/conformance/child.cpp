@@ -3,15 +3,79 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/bounded_json.hpp"
+#include "config/json_text.hpp"
+#include "conformance/check.hpp"
 #include "host/channel.hpp"
+#include "host/child_process.hpp"
 
 namespace tolman::conformance {
+
+using Json = nlohmann::json;
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckTask, check, report_descriptor, file, id, set, seed, level,
+                                   scratch, timeout_s, memory_mib, program)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CallStarted, call)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurrentInput, description)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, name, value, unit)
+static void to_json(Json& json, const CheckFinding& finding) {
+  json = {{"severity", finding.severity}, {"message", finding.message}, {"remedy", finding.remedy}};
+}
+static void from_json(const Json& json, CheckFinding& finding) {
+  const auto severity = config::integerFrom<std::uint8_t>(json.at("severity"));
+  if (severity >= kCheckSeverityNames.size()) throw std::runtime_error("no severity");
+  finding.severity = static_cast<CheckSeverity>(severity);
+  json.at("message").get_to(finding.message);
+  json.at("remedy").get_to(finding.remedy);
+}
+static void to_json(Json& json, const CheckCompleted&) { json = nullptr; }
+static void from_json(const Json&, CheckCompleted&) {}
+
+namespace {
+
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+/// Decodes a message from [index of the alternative, its value].
+template <class... M>
+void read(const Json& json, std::variant<M...>& message) {
+  const auto index = config::integerFrom<std::size_t>(json.at(0));
+  std::size_t i = 0;
+  ((index == i++ ? void(message = json.at(1).get<M>()) : void()), ...);
+  if (index >= sizeof...(M)) throw std::runtime_error("no message");
+}
+
+}  // namespace
+
+std::string encode(const CheckTask& task) { return dump(task); }
+
+CheckTask decodeTask(const std::string& text) { return Json::parse(text).get<CheckTask>(); }
+
+std::string encode(const CheckMessage& message) {
+  return dump(std::visit([&](const auto& m) { return Json{message.index(), m}; }, message));
+}
+
+std::optional<CheckMessage> decodeMessage(const std::string& line) {
+  try {
+    CheckMessage message;
+    read(bounded_json::parse<Json>(line), message);
+    return message;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
 namespace {
 
 struct Pipe {
@@ -98,6 +162,44 @@ ChildEnd runChild(const std::function<std::vector<std::string>(int descriptor)>&
   reader.read();
   end.output = reader.output();
   return end;
+}
+
+namespace {
+
+/// Unbuffered, so that no message is lost when the plugin crashes afterwards.
+void send(int descriptor, const CheckMessage& message) {
+  const std::string line = encode(message) + "\n";
+  for (std::size_t sent = 0; sent < line.size();) {
+    const ssize_t bytes = ::write(descriptor, line.data() + sent, line.size() - sent);
+    if (bytes <= 0) return;  // the kit has closed its end
+    sent += static_cast<std::size_t>(bytes);
+  }
+}
+
+}  // namespace
+
+void runCheck(const std::string& text) {
+  const CheckTask task = decodeTask(text);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // end with the kit
+  isolation::limitResources(task.memory_mib);
+  const std::vector<Check> checks = allChecks();
+  const auto check = std::find_if(checks.begin(), checks.end(),
+                                  [&](const Check& c) { return c.id == task.check; });
+  if (check == checks.end()) throw std::runtime_error("no check '" + task.check + "'");
+  const auto report = [descriptor = task.report_descriptor](const CheckMessage& message) {
+    send(descriptor, message);
+  };
+  CheckContext context(task, check->remedy, report);
+  try {
+    if (check->same_images && context.manifest().hasExtra("live")) {
+      context.skip("live images do not come twice");
+    }
+    check->run(context);
+  } catch (const CheckEnded&) {  // the reason was sent
+  } catch (const std::exception& error) {
+    context.error(std::string("the check failed with an exception: ") + error.what());
+  }
+  report(CheckCompleted{});
 }
 
 }  // namespace tolman::conformance

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The conformance kit: runs the checks of one plugin, each in its own process.
+// A conformance report as text and as JSON.
 #pragma once
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "conformance/check.hpp"
-#include "conformance/check_result.hpp"
 
 namespace tolman::conformance {
+
+/// "ok       reset                after reset() ..." and a line for each finding.
+std::string text(const CheckResult& result);
+
+/// The verdict, the number of results of each severity and the seed, in one line.
+std::string summary(const ConformanceReport& report);
+
+nlohmann::ordered_json json(const ConformanceReport& report);
+
+// The conformance kit: runs the checks of one plugin, each in its own process.
 
 struct KitOptions {
   std::vector<std::string> program;  ///< command that calls runCheck(); the task is appended

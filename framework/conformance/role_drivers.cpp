@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "conformance/contract.hpp"
 #include "conformance/test_instance.hpp"
 #include "host/stages.hpp"
 

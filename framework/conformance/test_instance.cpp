@@ -1,9 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/test_instance.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace tolman::conformance {
+
+std::optional<std::string> firstDifference(const Transcript& expected, const Transcript& found,
+                                           std::size_t skip) {
+  const std::size_t count = expected.size() - std::min(skip, expected.size());
+  for (std::size_t i = 0; i < std::min(count, found.size()); ++i) {
+    const TranscriptEntry& wanted = expected[skip + i];
+    const TranscriptEntry& given = found[i];
+    if (wanted.call != given.call) return "'" + given.call + "' instead of '" + wanted.call + "'";
+    for (std::size_t f = 0; f < std::max(wanted.fields.size(), given.fields.size()); ++f) {
+      if (f >= wanted.fields.size() || f >= given.fields.size())
+        return wanted.call + ": its length";
+      if (wanted.fields[f] != given.fields[f]) {
+        return wanted.call + ": '" + wanted.fields[f].first + "'";
+      }
+    }
+  }
+  if (count == found.size()) return std::nullopt;
+  return std::to_string(found.size()) + " answers instead of " + std::to_string(count);
+}
+
+bool close(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return (a.matrix() - b.matrix()).norm() < 1e-6 * (1 + a.translation().norm());
+}
+
+Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous) {
+  const std::int64_t passed_ns = previous ? frame.stamp_ns - previous->stamp_ns : 0;
+  const double expected = 1e-9 * static_cast<double>(passed_ns);
+  if (std::abs(motion.dt - expected) < 1e-6) return Status::ok();
+  return Status::failed(fmt::format("dt is {:f} s, the stamps say {:f} s; see setPlanarVelocity()",
+                                    motion.dt, expected));
+}
 
 /// Services of the context that ignore everything.
 struct TestInstance::Services final : Logger,

@@ -1,19 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin under test with its parameters, and one instance of it. The instance is called as a
-// host calls it; every answer is checked and hashed into a transcript.
+// The plugin under test with its parameters, and one instance of it, which is called as a host
+// calls it. Its answers are checked, and kept as hashes of their fields to compare two runs bit by
+// bit.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "base/hash.hpp"
 #include "conformance/check_result.hpp"
 #include "conformance/input_sequence.hpp"
-#include "conformance/transcript.hpp"
 #include "host/instance.hpp"
+#include "tolman/fields.hpp"
+#include "tolman/records.hpp"
+#include "tolman/roles.hpp"
 
 namespace tolman::conformance {
+
+/// One answer: the call, and a hash for each field.
+struct TranscriptEntry {
+  std::string call;  ///< "frame 12"
+  std::vector<std::pair<std::string, std::uint64_t>> fields;
+
+  template <Record R>
+  void add(const R& record) {
+    visitFields(record, [this](const Field& field, const auto& value) {
+      this->addValue(std::string(field.name), value);
+    });
+  }
+  template <class T>
+  void addValue(std::string name, const T& value) {
+    fields.emplace_back(std::move(name), bitHash(value));
+  }
+};
+
+using Transcript = std::vector<TranscriptEntry>;
+
+/// "frame 12: 'T_previous_current'", or nothing when all bits agree. The first `skip` answers of
+/// `expected` are ignored.
+std::optional<std::string> firstDifference(const Transcript& expected, const Transcript& found,
+                                           std::size_t skip = 0);
+
+// Requirements of roles.hpp and records.hpp on answers that the host does not check at every frame.
+
+/// dt is the time since the previous frame, 0 for the first.
+Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous);
+
+/// Whether two poses are equal up to rounding.
+bool close(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
+
+// The plugin under test with its parameters, and one instance of it. The instance is called as a
+// host calls it; every answer is checked and hashed into a transcript.
 
 /// Called before each call into the plugin, so that the kit knows in which one the process died.
 using Trace = std::function<void(const std::string& call)>;

@@ -1,16 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/channel.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/types.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <utility>
 
+#include "config/text.hpp"
+
 namespace tolman::isolation {
+
+namespace {
+
+constexpr std::size_t kStep = std::size_t{1} << 20U;  // bytes; each growth is a system call
+
+[[noreturn]] void throwErrno(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+std::size_t sizeOf(int descriptor) {
+  struct stat state {};
+  if (::fstat(descriptor, &state) != 0) throwErrno("the size of shared memory cannot be read");
+  return static_cast<std::size_t>(state.st_size);
+}
+
+}  // namespace
+
+SharedBuffer::SharedBuffer(const std::string& name)
+    : descriptor_(::memfd_create(name.c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
+  if (descriptor_ < 0) throwErrno("no shared memory");
+  if (::fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL) != 0) {
+    ::close(descriptor_);
+    throwErrno("shared memory cannot be sealed");
+  }
+}
+
+SharedBuffer::~SharedBuffer() {
+  if (memory_ != nullptr) ::munmap(memory_, mapped_);
+  ::close(descriptor_);
+}
+
+void SharedBuffer::map(std::size_t size) {
+  void* memory = memory_ == nullptr
+                     ? ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor_, 0)
+                     : ::mremap(memory_, mapped_, size, MREMAP_MAYMOVE);
+  if (memory == MAP_FAILED) throwErrno("shared memory cannot be mapped");
+  memory_ = static_cast<std::byte*>(memory);
+  mapped_ = size;
+}
+
+std::byte* SharedBuffer::reserve(std::size_t size) {
+  if (size <= mapped_) return memory_;
+  // Grow by half, because a long list is written in many pieces.
+  const std::size_t wanted = std::max(size, mapped_ + mapped_ / 2);
+  const std::size_t rounded = (wanted + kStep - 1) / kStep * kStep;
+  if (sizeOf(descriptor_) < rounded && ::ftruncate(descriptor_, static_cast<off_t>(rounded)) != 0) {
+    throwErrno("shared memory cannot grow");
+  }
+  map(rounded);
+  return memory_;
+}
+
+const std::byte* SharedBuffer::view(std::size_t size) {
+  if (size <= mapped_) return memory_;
+  const std::size_t there = sizeOf(descriptor_);
+  if (there < size) throw std::runtime_error("a message longer than the shared memory");
+  map(std::min(there, (size + kStep - 1) / kStep * kStep));
+  return memory_;
+}
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
   if (this != &other) {
@@ -66,6 +140,84 @@ ReceiveResult Socket::receive(SocketMessage& message, std::chrono::milliseconds 
     return ReceiveResult::Closed;  // closed, or not a valid message
   message.text.resize(static_cast<std::size_t>(bytes) - sizeof head);
   return ReceiveResult::Message;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+static_assert(kStackSignal == SIGUSR2);
+
+constexpr std::size_t kMaxStackBytes = std::size_t{1} << 16U;
+constexpr std::chrono::milliseconds kStackPatience{500};
+constexpr std::chrono::milliseconds kStackPoll{10};
+
+/// A line `  File "PATH", line N in FUNCTION`.
+struct StackLine {
+  fs::path file;
+  std::string line;
+  std::string function;
+
+  std::string text() const {
+    return config::printable(file.filename().string() + ":" + line + ", in " + function);
+  }
+};
+
+std::optional<StackLine> parsed(const std::string& line) {
+  constexpr std::string_view kFile = "  File \"";
+  constexpr std::string_view kLine = "\", line ";
+  constexpr std::string_view kIn = " in ";
+  const std::size_t end = line.rfind(kLine);
+  if (!line.starts_with(kFile) || end == std::string::npos || end < kFile.size()) return {};
+  const std::size_t number = end + kLine.size();
+  const std::size_t in = line.find(kIn, number);
+  if (in == std::string::npos) return {};
+  return StackLine{line.substr(kFile.size(), end - kFile.size()), line.substr(number, in - number),
+                   line.substr(in + kIn.size())};
+}
+
+/// Whether the file lies in the folder or below it, but is no installed package.
+bool isOwn(const fs::path& file, const fs::path& folder) {
+  const fs::path below = file.lexically_relative(folder);
+  return !below.empty() && *below.begin() != ".." &&
+         std::find(below.begin(), below.end(), "site-packages") == below.end();
+}
+
+}  // namespace
+
+std::string placeInStack(const std::string& stack, const std::string& program) {
+  const fs::path folder = fs::path(program).parent_path();
+  std::istringstream lines(stack);
+  for (std::string line; std::getline(lines, line);) {
+    const std::optional<StackLine> found = parsed(line);
+    if (found && isOwn(found->file, folder)) return found->text();
+  }
+  return "";
+}
+
+std::string StackReport::text() const {
+  std::array<char, kMaxStackBytes> bytes;
+  const ssize_t size = ::pread(memory_.descriptor(), bytes.data(), bytes.size(), 0);
+  return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
+}
+
+std::string StackReport::left(const std::string& program) const {
+  return program.empty() ? "" : placeInStack(text(), program);
+}
+
+std::string StackReport::ask(const ChildProcess& process, const std::string& program) const {
+  const std::string before = text();
+  if (before.empty() || program.empty()) return "";
+  process.signal(kStackSignal);
+  const auto end = std::chrono::steady_clock::now() + kStackPatience;
+  std::string now = before;
+  while (std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(kStackPoll);
+    const std::string later = text();
+    if (later.size() > before.size() && later.size() == now.size()) break;  // it is complete
+    now = later;
+  }
+  return placeInStack(now.substr(before.size()), program);
 }
 
 }  // namespace tolman::isolation

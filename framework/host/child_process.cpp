@@ -12,7 +12,6 @@
 #include <system_error>
 #include <thread>
 
-#include "host/process_mark.hpp"
 #include "tolman/version.hpp"
 
 namespace tolman::isolation {
@@ -57,12 +56,10 @@ class SpawnPlan {
   SpawnPlan(const SpawnPlan&) = delete;
   SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-  pid_t start(std::vector<std::string> command, const std::string& mark) const {
-    std::vector<std::string> environment = environmentWith(mark);
+  pid_t start(std::vector<std::string> command) const {
     const std::vector<char*> words = pointersTo(command);
     pid_t pid = -1;
-    check(::posix_spawn(&pid, words[0], &actions_, &attributes_, words.data(),
-                        pointersTo(environment).data()),
+    check(::posix_spawn(&pid, words[0], &actions_, &attributes_, words.data(), environ),
           "no further process can be started");
     return pid;
   }
@@ -97,7 +94,7 @@ std::string ProcessEnd::text() const {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed,
                            int output)
-    : mark_(newMark()), pid_(SpawnPlan(passed, output).start(command, mark_)) {}
+    : pid_(SpawnPlan(passed, output).start(command)) {}
 
 ChildProcess::~ChildProcess() { (void)end(std::chrono::milliseconds(0)); }
 
@@ -130,11 +127,9 @@ ProcessEnd ChildProcess::end(std::chrono::milliseconds timeout) {
   while (!hasEnded() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // Processes that the child started may be in its group or have left it, and so may the child.
-  // Kill all before reaping: until then the id cannot belong to another process.
+  // The group before the child is reaped: until then the id cannot belong to another process.
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);
-  killMarked(mark_);
   reap();
   return end_;
 }

@@ -31,7 +31,7 @@ class ChildProcess {
   /// and stderr go to `output`. Throws std::system_error.
   ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed,
                int output = 2);
-  /// Kills the process and all that it started.
+  /// Kills the process and its group.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -39,13 +39,12 @@ class ChildProcess {
   bool hasEnded() const;
   /// Sends a signal to the process alone; nothing if it has ended.
   void signal(int number) const;
-  /// Waits at most `timeout`, then kills the process and all that it started: its group, and
-  /// processes with its mark (process_mark.hpp).
+  /// Waits at most `timeout`, then kills the process and its group: what it started, unless that
+  /// has left the group.
   ProcessEnd end(std::chrono::milliseconds timeout);
 
  private:
   void reap();
-  std::string mark_;
   pid_t pid_ = -1;
   bool reaped_ = false;
   ProcessEnd end_;

@@ -17,8 +17,8 @@
 #include <variant>
 #include <vector>
 
-#include "host/refusal.hpp"
-#include "host/shared_buffer.hpp"
+#include "host/channel.hpp"
+#include "host/gate.hpp"
 #include "tolman/parameters.hpp"
 #include "tolman/roles.hpp"
 

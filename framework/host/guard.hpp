@@ -3,8 +3,6 @@
 // call and frame.
 #pragma once
 
-#include <unistd.h>
-
 #include <cstdint>
 #include <exception>
 #include <new>
@@ -13,7 +11,6 @@
 #include <string_view>
 #include <utility>
 
-#include "host/forked_child.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::host {
@@ -81,9 +78,7 @@ Status contained(Work&& work) noexcept {
 /// As contained(), with the call site before the message of a failure, if memory suffices.
 template <class Work>
 Status guarded(const CallSite& site, Work&& work) noexcept {
-  const ::pid_t caller = ::getpid();
   Status status = contained(std::forward<Work>(work));
-  endForkedChild(caller, site.instance);
   if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
   try {
     constexpr std::size_t kLongest = 10'000;

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "host/rig_check.hpp"
+#include "host/frame_images.hpp"
 #include "host/values.hpp"
 
 namespace tolman::host {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "host/arrays.hpp"
 #include "host/guard.hpp"
 #include "host/library.hpp"
+#include "host/values.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::host {

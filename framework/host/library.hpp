@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens plugin libraries that passed the gate, and keeps them until the process ends.
+// The shared libraries that a plugin brings along.
 #pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "host/gate.hpp"
 #include "host/manifest.hpp"
 #include "tolman/plugin.hpp"
 
 namespace tolman::host {
+
+/// Files of the libraries that `library`, which must be open in this process, is linked with,
+/// directly or by one of them, sorted. Those in the folders of the system are left out, because
+/// packages own them. Libraries that a plugin opens itself by dlopen() are not known.
+std::vector<std::string> ownLibraries(const std::filesystem::path& library);
+
+// Opens plugin libraries that passed the gate, and keeps them until the process ends.
 
 /// The remedy of a refusal for lack of memory or of open files.
 inline constexpr const char* kLimitsTooLow =

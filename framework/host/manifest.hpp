@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The manifest of a plugin, read from its library without executing anything.
+// Reads one section of an ELF file without executing anything. All offsets and sizes are checked,
+// so damaged files are refused.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,12 @@
 #include "tolman/roles.hpp"
 
 namespace tolman::host {
+
+/// The bytes of section `name` of a 64-bit little-endian x86-64 shared object. Refusals:
+/// plugin/unreadable, plugin/not-elf, plugin/truncated, plugin/wrong-machine, plugin/no-manifest.
+OrRefusal<std::string> readElfSection(const std::filesystem::path& file, std::string_view name);
+
+// The manifest of a plugin, read from its library without executing anything.
 
 struct Manifest {
   std::filesystem::path file;

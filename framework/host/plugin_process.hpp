@@ -1,17 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Main function of the process of an isolated plugin: loads the plugin and executes calls until the
-// host closes the connection or ends.
+// The handlers of the calls that a plugin of a role supports. A handler decodes the arguments,
+// calls the plugin under the guard, and encodes status and results.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "host/calls.hpp"
+#include "host/codec.hpp"
+#include "host/guard.hpp"
 #include "tolman/context.hpp"
+#include "tolman/plugin.hpp"
 
 namespace tolman::isolation {
+
+using Handler = std::function<void(Decoder&, Encoder&)>;
+using Handlers = std::map<Call, Handler>;
+
+/// Handlers for the calls of the object's role and extras. The object must outlive them.
+Handlers handlersOf(Role role, const PluginObject& object);
+
+/// Whether a parameter of a call is a result: `T&` is one, any other type is an argument.
+template <class P>
+inline constexpr bool kIsResult =
+    std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>>;
+
+/// A handler that decodes the arguments, calls `work`, and encodes its status, and the results if
+/// it is Ok.
+template <class... P>
+Handler handler(std::function<Status(P...)> work) {
+  return [work](Decoder& in, Encoder& out) {
+    std::tuple<std::remove_cvref_t<P>...> values;
+    const auto decode = [&](auto& value, auto result) {
+      if constexpr (!result.value) in.get(value);
+    };
+    std::apply([&](auto&... value) { (decode(value, std::bool_constant<kIsResult<P>>()), ...); },
+               values);
+    const Status status = host::contained([&] { return std::apply(work, values); });
+    out.put(status);
+    if (!status.isOk()) return;
+    const auto encode = [&](const auto& value, auto result) {
+      if constexpr (result.value) out.put(value);
+    };
+    std::apply(
+        [&](const auto&... value) { (encode(value, std::bool_constant<kIsResult<P>>()), ...); },
+        values);
+  };
+}
+
+/// A handler that calls a method of `object`.
+template <class Object, class Class, class... P>
+Handler handler(Object& object, Status (Class::*method)(P...)) {
+  return handler(std::function<Status(P...)>(
+      [&object, method](auto&&... values) -> Status { return (object.*method)(values...); }));
+}
+template <class Object, class Class, class... P>
+Handler handler(Object& object, Status (Class::*method)(P...) const) {
+  return handler(std::function<Status(P...)>(
+      [&object, method](auto&&... values) -> Status { return (object.*method)(values...); }));
+}
+
+// Main function of the process of an isolated plugin: loads the plugin and executes calls until the
+// host closes the connection or ends.
 
 /// Exit code of a process that has too little memory to answer.
 inline constexpr int kNoMemoryExit = 71;

@@ -5,7 +5,7 @@
 
 #include <new>
 
-#include "host/context_message.hpp"
+#include "host/calls.hpp"
 
 namespace tolman::isolation {
 namespace {

@@ -14,8 +14,6 @@
 #include "host/channel.hpp"
 #include "host/child_process.hpp"
 #include "host/codec.hpp"
-#include "host/shared_buffer.hpp"
-#include "host/stack_report.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::isolation {

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kMaxRestarts = 10;
 constexpr std::size_t kCheckpointEvery = 20;  // calls; a call with images takes about 1 MB
-constexpr const char* kChanged = "plugin/changed";
 
 const auto kNoData = [](auto&) {};
 
@@ -94,21 +93,7 @@ std::optional<host::Refusal> RemotePlugin::load() {
     refusal.remedy += hintAt(launch_);
     return refusal;
   }
-  return checkFiles();
-}
-
-/// A run is of one version of the plugin, that of its run.json, also if a process is started again.
-std::optional<host::Refusal> RemotePlugin::checkFiles() {
-  std::vector<OpenedFile> now = openedFiles(manifest_);
-  if (files_.empty()) {
-    files_ = std::move(now);
-    return std::nullopt;
-  }
-  const auto changed = changedFile(files_, now);
-  if (!changed) return std::nullopt;
-  return host::Refusal{kChanged,
-                       changed->string() + ": has changed since the plugin was first opened",
-                       "run it again, and leave the files of plugins as they are meanwhile"};
+  return std::nullopt;
 }
 
 /// Of a program its own file is to blame, not the library that interprets it.
@@ -222,7 +207,6 @@ Status RemotePlugin::startAndRestore() {
   process_->connect(nullptr, nullptr, cancellation_);  // the repeated calls were logged before
   if (!refusal) refusal = create();
   if (refusal) {
-    if (refusal->id == kChanged) restart_enabled_ = false;
     return Status::failed(refusal->message);
   }
   Status status = repeat(initial_calls_);

@@ -10,9 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include "host/context_message.hpp"
+#include "host/calls.hpp"
 #include "host/manifest.hpp"
-#include "host/opened_files.hpp"
 #include "host/process_handle.hpp"
 
 namespace tolman::isolation {
@@ -61,7 +60,6 @@ class RemotePlugin {
     launch_.program = manifest_.program.string();
   }
   std::optional<host::Refusal> load();
-  std::optional<host::Refusal> checkFiles();
   host::Refusal diedWhenOpened(const std::string& why) const;
   Status exchange(Call call, const ProcessHandle::Write& write, const ProcessHandle::Read& read);
   bool canRestart() const;
@@ -73,7 +71,6 @@ class RemotePlugin {
 
   host::Manifest manifest_;
   LaunchOptions launch_;
-  std::vector<OpenedFile> files_;  ///< as the first process opened them
   Schema schema_;
   std::unique_ptr<ProcessHandle> process_;
   bool created_ = false;

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "host/guard.hpp"
-#include "host/prediction.hpp"
+#include "host/motion_times.hpp"
 
 namespace tolman::isolation {
 namespace {

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/answers.hpp"
-#include "host/arrays.hpp"
 #include "host/frame_images.hpp"
-#include "host/rig_check.hpp"
 #include "host/values.hpp"
 #include "tolman/geometry.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conformance/contract.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "conformance/test_instance.hpp"
 
 using namespace tolman;
 using namespace tolman::conformance;

@@ -4,14 +4,10 @@
 
 #include <cstdint>
 
-#include "conformance/transcript.hpp"
+#include "conformance/test_instance.hpp"
 
 namespace tolman::test {
 
-std::uint64_t hashOf(const auto& value) {
-  conformance::BitHash hash;
-  hash.add(value);
-  return hash.value();
-}
+std::uint64_t hashOf(const auto& value) { return bitHash(value); }
 
 }  // namespace tolman::test

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "conformance/contract.hpp"
+#include "conformance/checks_input.hpp"
 #include "conformance/hash_of.hpp"
-#include "conformance/input_faults.hpp"
-#include "conformance/transcript.hpp"
+#include "conformance/test_instance.hpp"
 #include "host/answers.hpp"
 #include "host/values.hpp"
 

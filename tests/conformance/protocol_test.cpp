@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conformance/protocol.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "conformance/child.hpp"
 
 using namespace tolman::conformance;
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conformance/random_parameters.hpp"
-
 #include <catch2/catch.hpp>
 #include <set>
 
 #include "config/values.hpp"
-#include "conformance/check_context.hpp"
+#include "conformance/check.hpp"
+#include "conformance/checks_parameters.hpp"
 
 using namespace tolman;
 using namespace tolman::conformance;

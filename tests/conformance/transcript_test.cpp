@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conformance/transcript.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "conformance/hash_of.hpp"
+#include "conformance/test_instance.hpp"
 #include "tolman/records.hpp"
 
 using namespace tolman;

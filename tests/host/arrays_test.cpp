@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/arrays.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "host/values.hpp"
 
 using namespace tolman;
 using namespace tolman::host;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/elf_section.hpp"
-
 #include <fstream>
 #include <sstream>
 
 #include "host/fixture_plugins.hpp"
+#include "host/manifest.hpp"
 #include "support/data.hpp"
 #include "tolman/context.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/own_libraries.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "host/fixture_plugins.hpp"
+#include "host/library.hpp"
 
 using namespace tolman;
 using namespace tolman::test;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/rig_check.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "host/frame_images.hpp"
 #include "host/stages.hpp"
 
 using namespace tolman;

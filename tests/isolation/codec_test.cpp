@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "host/context_message.hpp"
+#include "host/calls.hpp"
 
 using namespace tolman;
 using namespace tolman::isolation;

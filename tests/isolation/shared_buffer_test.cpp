@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/shared_buffer.hpp"
-
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cerrno>
 #include <cstring>
+
+#include "host/channel.hpp"
 
 using tolman::isolation::SharedBuffer;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/stack_report.hpp"
-
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <string>
 #include <thread>
+
+#include "host/channel.hpp"
 
 using tolman::isolation::ChildProcess;
 using tolman::isolation::placeInStack;

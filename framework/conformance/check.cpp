@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conformance/check_context.hpp"
+#include "conformance/check.hpp"
 
 #include "config/loader.hpp"
 #include "config/values.hpp"
