@@ -155,6 +155,14 @@ void describeEstimates(const BumpNetwork& network, std::vector<ArrayInfo>& array
                     "standard deviations of the integrator since the last calibration",
                     "",
                     {components({"x", "y", "heading"})}});
+  arrays.push_back({"calibration",
+                    ArrayKind::Values,
+                    "",
+                    "steady errors of path integration (rad/rad, rad/s, rad/m), their standard "
+                    "deviations, and the factor on the noise of odometry",
+                    "",
+                    {components({"turns", "turn_per_second", "turn_per_metre", "sigma_turns",
+                                 "sigma_turn_per_second", "sigma_turn_per_metre", "noise"})}});
   if (network.code().height().modules() == 0) return;
   arrays.push_back({"height.decoded",
                     ArrayKind::Values,
@@ -196,6 +204,15 @@ void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays) {
   const Eigen::Vector3f sigma = integrator.covariance.diagonal().cwiseSqrt().cast<float>();
   arrays.push_back({"position.decoded", {3}, {pose.x(), pose.y(), pose.z()}});
   arrays.push_back({"position.sigma", {3}, {sigma.x(), sigma.y(), sigma.z()}});
+  const RunningCalibration& path = network.state().path;
+  NamedArray& calibration = arrays.emplace_back(NamedArray{"calibration", {7}, {}});
+  for (int k = 0; k < kPlanarErrors; ++k) {
+    calibration.values.push_back(static_cast<float>(path.mixed.mean[k]));
+  }
+  for (int k = 0; k < kPlanarErrors; ++k) {
+    calibration.values.push_back(static_cast<float>(std::sqrt(path.mixed.covariance(k, k))));
+  }
+  calibration.values.push_back(static_cast<float>(path.noise));
   if (height.modules() == 0) return;
   const double metres = network.code().climb(network.code().origin(), integrator.centre);
   const double height_sigma = std::sqrt(integrator.height_variance);

@@ -20,6 +20,7 @@ namespace tolman::bayesian_attractor {
 /// - hypotheses: the integrator, then the calibration bumps; their component `energy` is the share;
 /// - position.decoded: the integrator's position (m, relative to the origin) and heading (rad);
 /// - position.sigma: their standard deviations since a bump was last accepted;
+/// - calibration: steady errors of path integration, their standard deviations, noise;
 /// - height.decoded, with vertical modules: height and its standard deviation, m.
 void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays);
 void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays);

@@ -2,6 +2,7 @@
 #include "bayesian_attractor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "activity.hpp"
@@ -11,11 +12,15 @@ namespace tolman::bayesian_attractor {
 
 namespace {
 
-constexpr double kNovelSpacing = 1;  // m, between experiences of novel views; chosen, not tuned
+/// Distance between experiences of novel views over experience_spacing. Chosen, not tuned.
+constexpr double kNovelSpacing = 0.2;
 
 /// Slope of a steep road, rise over distance: the standard deviation of height over that of
 /// position, for a view without measured pose. Chosen, not tuned.
 constexpr double kSlope = 0.1;
+/// Standard deviation of the height of a familiar view above its template over
+/// experience_spacing, in addition to kSlope: 0.2 m for a car. Chosen, not tuned.
+constexpr double kStep = 0.04;
 /// Most storeys that one view is linked to; the oldest link is removed first. Bounds
 /// memory and time.
 constexpr std::size_t kMaxStoreys = 32;
@@ -26,17 +31,35 @@ Status BayesianAttractor::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
+  Parameters& p = parameters_;
+  if (p.period == 0) p.period = 30 * p.experience_spacing;
+  if (p.view_sigma_position == 0) p.view_sigma_position = 0.6 * p.experience_spacing;
+  if (p.loop_minimum_travel < 0) p.loop_minimum_travel = 6 * p.experience_spacing;
+  if (p.loop_spacing < 0) p.loop_spacing = p.experience_spacing;
   return reset();
 }
 
 AttractorState BayesianAttractor::freshState() const {
   const Parameters& p = parameters_;
-  const NetworkSettings network = {
-      p.period,        p.modules,      p.phase_sigma, p.height_period, p.drift_position,
-      p.drift_heading, p.drift_height, p.drift_tail,  p.prior,         p.prior_views,
-      p.injection,     p.agreement,    p.inhibition,  p.threshold,     p.experience_spacing};
-  const ExperienceSettings experiences = {p.experience_spacing, p.experience_turn, kNovelSpacing,
-                                          p.loop_minimum_travel, p.loop_spacing};
+  const NetworkSettings network = {.period = p.period,
+                                   .modules = p.modules,
+                                   .phase_sigma = p.phase_sigma,
+                                   .height_period = p.height_period,
+                                   .drift_position = p.drift_position,
+                                   .drift_heading = p.drift_heading,
+                                   .drift_height = 0.5 * p.drift_position,
+                                   .tail = p.drift_tail,
+                                   .prior = p.prior,
+                                   .injection = p.injection,
+                                   .agreement = p.agreement,
+                                   .inhibition = p.inhibition / p.experience_spacing,
+                                   .threshold = p.threshold,
+                                   .view_spacing = p.experience_spacing,
+                                   .recalibrate = p.recalibrate};
+  const ExperienceSettings experiences = {.spacing = p.experience_spacing,
+                                          .novel_spacing = kNovelSpacing * p.experience_spacing,
+                                          .loop_minimum_travel = p.loop_minimum_travel,
+                                          .loop_spacing = p.loop_spacing};
   return {BumpNetwork(network), ExperienceLog(experiences), WaitingLoops(p.loop_spacing)};
 }
 
@@ -71,7 +94,7 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
     decision.action = Action::CreateExperience;
     state_->log.create();
   }
-  if (seen && !known) learn(observation.template_id, Eigen::Isometry3d::Identity());
+  if (seen && !known) learn(observation.template_id, {});
   decision.experience = state_->log.current();
   decision.heading = state_->network.state().integrator.centre.heading;
   if (decision.action != Action::CloseLoop) {
@@ -90,7 +113,7 @@ void BayesianAttractor::integrate(const Motion& motion) {
   const Eigen::Vector3d up_before = state_->upright.up();
   state_->upright.add(motion.T_previous_current);
   const LevelStep moved = levelled(motion.T_previous_current, motion.covariance, up_before);
-  state_->network.integrate(moved.plane, moved.covariance, moved.climb);
+  state_->network.integrate(moved.plane, moved.covariance, moved.climb, motion.dt);
   state_->waiting.keep(state_->network.state().calibration);
   state_->log.advance(motion.T_previous_current);
 }
@@ -112,10 +135,19 @@ BayesianAttractor::SeenPose BayesianAttractor::seenPose(const PlaceObservation& 
   return {fromPlanar({0, 0, view.relative_yaw}), sigma.cwiseAbs2().asDiagonal()};
 }
 
-/// Step from the template to the camera. The up direction is the one estimated for the camera.
+/// Step from the template to the camera. The up direction is the one estimated for the camera. A
+/// familiar view is near its template, so on its storey: the measured climb, which a few landmarks
+/// on one line leave open by metres, is fused with a prior of none.
 LevelStep BayesianAttractor::offsetOf(const SeenPose& seen) const {
-  return levelled(seen.T_template_current, seen.covariance,
-                  seen.T_template_current.linear() * state_->upright.up());
+  LevelStep offset = levelled(seen.T_template_current, seen.covariance,
+                              seen.T_template_current.linear() * state_->upright.up());
+  const double slope = kSlope * std::hypot(offset.plane.x, offset.plane.y);
+  const double step = kStep * parameters_.experience_spacing;
+  const double prior = slope * slope + step * step;
+  const double gain = prior / (prior + offset.climb.variance);
+  offset.climb.metres *= gain;
+  offset.climb.variance *= gain;
+  return offset;
 }
 
 /// Whether the view is linked to several storeys of another part of the path. Such a view does not
@@ -154,7 +186,7 @@ BayesianAttractor::Perception BayesianAttractor::perceive(const PlaceObservation
   const SeenPose seen = seenPose(view);
   const ViewLink* link = nearestStorey(view.template_id, offsetOf(seen).climb);
   if (link == nullptr) {
-    learn(view.template_id, seen.T_template_current);
+    learn(view.template_id, seen);
     return {};
   }
   const NetworkState& network = state_->network.state();
@@ -190,11 +222,11 @@ void BayesianAttractor::closeLoop(const PlaceObservation& view, const ViewLink& 
   state_->log.closeLoopTo(link.experience, decision.T_experience_current);
 }
 
-/// Links the template to the present pattern. `T_template_current`: identity for a new view.
-void BayesianAttractor::learn(std::int64_t template_id,
-                              const Eigen::Isometry3d& T_template_current) {
-  const Eigen::Isometry3d T_current_template = T_template_current.inverse();
-  const LevelStep back = levelled(T_current_template, Matrix6d::Zero(), state_->upright.up());
+/// Links the template to the present pattern. A new view is seen where its template is.
+void BayesianAttractor::learn(std::int64_t template_id, const SeenPose& seen) {
+  const Eigen::Isometry3d T_current_template = seen.T_template_current.inverse();
+  LevelStep back = levelled(T_current_template, Matrix6d::Zero(), state_->upright.up());
+  back.climb.metres = -offsetOf(seen).climb.metres;
   const BumpNetwork& network = state_->network;
   LearnedPattern learned = network.currentPattern();
   learned.pattern = network.code().displaced(learned.pattern, back.plane, back.climb.metres);

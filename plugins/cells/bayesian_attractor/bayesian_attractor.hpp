@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "attractor_state.hpp"
 #include "parameters.hpp"
+#include "saved_state.hpp"
 #include "tolman/plugin.hpp"
 
 namespace tolman::bayesian_attractor {
@@ -37,8 +37,8 @@ class BayesianAttractor final : public Cells,
   LevelStep levelled(const Eigen::Isometry3d& T_from_to, const Matrix6d& covariance,
                      const Eigen::Vector3d& up_from) const;
   struct SeenPose {
-    Eigen::Isometry3d T_template_current;
-    Matrix6d covariance;
+    Eigen::Isometry3d T_template_current = Eigen::Isometry3d::Identity();
+    Matrix6d covariance = Matrix6d::Zero();
   };
   SeenPose seenPose(const PlaceObservation& view) const;
   bool isAmbiguous(const std::vector<ViewLink>& links, const ViewLink& link) const;
@@ -53,7 +53,7 @@ class BayesianAttractor final : public Cells,
   Recalibration injectView(const SeenPose& seen, const ViewLink& link, std::int64_t frame);
   void closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
                  Decision& decision);
-  void learn(std::int64_t template_id, const Eigen::Isometry3d& T_template_current);
+  void learn(std::int64_t template_id, const SeenPose& seen);
 
   Parameters parameters_;
   std::optional<AttractorState> state_;  ///< empty before configure()

@@ -61,18 +61,30 @@ BumpNetwork::BumpNetwork(const NetworkSettings& settings)
   state_.stretch_start = state_.integrator;
 }
 
-void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& reported,
-                            const Climb& climb) {
+void BumpNetwork::integrate(const PlanarPose& reported_step, const Eigen::Matrix3d& reported,
+                            const Climb& climb, double seconds) {
+  PathErrors errors;
+  PlanarPose step = reported_step;
+  double factor = 1;
+  if (settings_.recalibrate) {
+    errors.effect = effectOf(reported_step, seconds);
+    errors.applied = errors.effect * state_.path.mixed.mean;
+    step.x += errors.applied.x();
+    step.y += errors.applied.y();
+    step.theta += errors.applied.z();
+    factor = state_.path.noise * state_.path.noise;
+  }
   const double length = std::hypot(step.x, step.y);
   const double along = settings_.drift_position * settings_.drift_position * length;
   const double turn = settings_.drift_heading * settings_.drift_heading * length;
   Eigen::Matrix3d noise = reported;
   noise.diagonal() += Eigen::Vector3d(along, along, turn);
+  noise *= factor;
   const double drift = settings_.drift_height * settings_.drift_height * length;
   const Climb rise = {climb.metres, climb.variance + drift};
-  code_.move(state_.integrator, step, noise, rise);
+  code_.move(state_.integrator, step, noise, rise, errors);
   for (CalibrationBump& c : state_.calibration) {
-    code_.move(c.bump, step, noise, rise);
+    code_.move(c.bump, step, noise, rise, errors);
     c.energy -= settings_.inhibition * length;
   }
   state_.travel += length;
@@ -106,8 +118,67 @@ void BumpNetwork::startPart() {
 }
 
 LearnedPattern BumpNetwork::currentPattern() const {
-  return {state_.integrator.centre, state_.part, state_.stretch, covarianceInPart(),
-          state_.integrator.height_variance + state_.stretch_start.height_variance};
+  return {state_.integrator.centre,
+          state_.part,
+          state_.stretch,
+          covarianceInPart(),
+          state_.integrator.height_variance + state_.stretch_start.height_variance,
+          state_.integrator.errors};
+}
+
+/// The errors of a path to a pose are common to what is fixed to that pose: they cancel.
+PathErrors BumpNetwork::errorsBetween(const Bump& here, const Bump& there) const {
+  const Eigen::Vector3d back = code_.difference(there.centre, here.centre);
+  return here.errors - displaced(there.errors, back.head<2>());
+}
+
+BumpNetwork::Apart BumpNetwork::apart(const Bump& here, const Bump& there, const PathErrors& errors,
+                                      const ErrorEstimate& estimate) const {
+  Apart apart;
+  apart.shift = errors.effect * estimate.mean - errors.applied;
+  apart.difference = code_.difference(here.centre, there.centre) - apart.shift;
+  apart.difference.z() = wrapAngle(apart.difference.z());
+  apart.covariance = errors.effect * estimate.covariance * errors.effect.transpose();
+  return apart;
+}
+
+/// Fuses a view with the bump; its errors become those of both, in proportion.
+void BumpNetwork::fuse(Bump& bump, const Bump& seen) const {
+  const PathErrors between = errorsBetween(bump, seen);
+  const Apart away = apart(bump, seen, between, state_.path.mixed);
+  code_.shift(bump.centre, away.shift);
+  bump.covariance += away.covariance;
+  const Eigen::Matrix3d keep = seen.covariance * (bump.covariance + seen.covariance).inverse();
+  const ErrorEffect own = keep * between.effect;
+  const Eigen::Vector3d back = code_.difference(seen.centre, bump.centre);
+  code_.fuse(bump, seen.centre, seen.covariance, seen.height_variance);
+  bump.errors =
+      displaced(seen.errors, back.head<2>()) + PathErrors{own, own * state_.path.mixed.mean};
+}
+
+/// A step of each filter by the accepted bump, less the farther off it is (Student's t), and Bayes'
+/// rule for their weights and for the factor of noise.
+void BumpNetwork::recalibrate(const Bump& winner, const LearnedPattern& learned) {
+  RunningCalibration& path = state_.path;
+  const PathErrors errors = errorsBetween(state_.integrator, winner);
+  const Eigen::Matrix3d noise = uncertainty(learned);
+  const Apart mixed = apart(state_.integrator, winner, errors, path.mixed);
+  for (int k = 0; k < RunningCalibration::kFactors; ++k) {
+    const double ratio = RunningCalibration::factorAt(k) / path.noise;
+    path.log_factors[k] +=
+        logStudent(mixed.difference, ratio * ratio * noise + winner.covariance + mixed.covariance,
+                   settings_.tail);
+  }
+  for (ErrorEstimate& estimate : path.estimates) {
+    const Apart away = apart(state_.integrator, winner, errors, estimate);
+    const Eigen::Matrix3d known = noise + winner.covariance;
+    const Eigen::Matrix3d S = known + away.covariance;
+    estimate.log_weight += logStudent(away.difference, S, settings_.tail);
+    const double weight =
+        (settings_.tail + 3) / (settings_.tail + squaredMahalanobis(away.difference, S));
+    update(estimate, errors.effect, away.difference, known / std::min(1.0, weight));
+  }
+  path.mix();
 }
 
 /// Covariance of the integrator relative to the origin of its part.
@@ -179,10 +250,15 @@ double BumpNetwork::logRatioOfNewBump(const LearnedPattern& learned, const Bump&
   // used a second time, as the probability that the robot is in the mapped area at all.
   if (learned.part != state_.part) return std::log(settings_.prior);
   const Bump& here = state_.integrator;
-  const Eigen::Vector3d difference = code_.difference(here.centre, seen.centre);
-  const double ratio =
-      logStudent(difference, uncertainty(learned) + seen.covariance, settings_.tail) -
-      logDensityOfLookAlike();
+  const PathErrors errors = errorsBetween(here, seen);
+  const Eigen::Matrix3d noise = uncertainty(learned) + seen.covariance;
+  double density = 0;
+  for (const ErrorEstimate& estimate : state_.path.estimates) {
+    const Apart away = apart(here, seen, errors, estimate);
+    density += std::exp(estimate.log_weight +
+                        logStudent(away.difference, noise + away.covariance, settings_.tail));
+  }
+  const double ratio = std::log(std::max(density, 1e-300)) - logDensityOfLookAlike();
   return ratio - 0.5 * squaredClimb(code_.climb(here.centre, seen.centre),
                                     heightUncertainty(learned) + seen.height_variance);
 }
@@ -192,8 +268,9 @@ CalibrationBump* BumpNetwork::findAgreeingBump(const Bump& seen, std::int64_t pa
   CalibrationBump* best = nullptr;
   for (CalibrationBump& c : state_.calibration) {
     if (c.part != part) continue;
-    const Eigen::Vector3d difference = code_.difference(c.bump.centre, seen.centre);
-    const Eigen::Matrix3d sum = c.bump.covariance + seen.covariance;
+    const Apart away = apart(c.bump, seen, errorsBetween(c.bump, seen), state_.path.mixed);
+    const Eigen::Vector3d& difference = away.difference;
+    const Eigen::Matrix3d sum = c.bump.covariance + seen.covariance + away.covariance;
     if (squaredMahalanobis(difference, sum) > kAgrees) continue;
     if (squaredClimb(code_.climb(c.bump.centre, seen.centre),
                      c.bump.height_variance + seen.height_variance) > kSameStorey)
@@ -211,6 +288,8 @@ Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPos
   Bump seen = {code_.displaced(learned.pattern, offset, climb.metres)};
   seen.covariance = turned(measured, seen.centre.heading) + code_.readout();
   seen.height_variance = climb.variance + code_.height().readout();
+  const Eigen::Vector3d off = code_.difference(learned.pattern, seen.centre);
+  seen.errors = displaced(learned.errors, off.head<2>());
   ++state_.views;
   double log_density = 0;
   CalibrationBump* bump = findAgreeingBump(seen, learned.part, log_density);
@@ -219,7 +298,7 @@ Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPos
         std::min(1.0, (state_.travel - bump->last_injection_travel) / settings_.view_spacing);
     const double ratio = settings_.injection * (log_density - logDensityOfLookAlike());
     bump->energy += fresh * std::min(ratio, settings_.agreement);
-    code_.fuse(bump->bump, seen.centre, seen.covariance, seen.height_variance);
+    fuse(bump->bump, seen);
   } else {
     const double odds = std::log(shareOfRightViews() / (1 - shareOfRightViews()));
     const double energy = odds + settings_.injection * logRatioOfNewBump(learned, seen);
@@ -243,12 +322,16 @@ Recalibration BumpNetwork::accept(const CalibrationBump& winner, const LearnedPa
   calibrated.accepted = true;
   calibrated.share = share(winner.energy);
   calibrated.part = winner.part;
-  calibrated.from = state_.integrator.centre;
-  calibrated.to = winner.bump.centre;
+  calibrated.from = state_.integrator;
+  calibrated.to = winner.bump;
   calibrated.views = winner.views;
   calibrated.origin = learned.covariance;
   calibrated.origin_height = learned.height_variance;
-  if (winner.part != state_.part) calibrated.joined_part = state_.part;
+  if (winner.part != state_.part) {
+    calibrated.joined_part = state_.part;
+  } else if (settings_.recalibrate) {
+    recalibrate(winner.bump, learned);
+  }
   state_.part = winner.part;
   state_.integrator = winner.bump;
   state_.stretch_start = {learned.pattern, learned.covariance, learned.height_variance};
@@ -260,8 +343,15 @@ Recalibration BumpNetwork::accept(const CalibrationBump& winner, const LearnedPa
 
 void BumpNetwork::moveToJoinedPart(const Recalibration& calibrated, LearnedPattern& learned) const {
   if (learned.part != calibrated.joined_part) return;
-  learned.pattern = code_.displaced(calibrated.to, code_.between(calibrated.from, learned.pattern),
-                                    code_.climb(calibrated.from, learned.pattern));
+  const FiringPattern& from = calibrated.from.centre;
+  const FiringPattern& to = calibrated.to.centre;
+  const Eigen::Vector2d before = code_.difference(from, learned.pattern).head<2>();
+  learned.pattern =
+      code_.displaced(to, code_.between(from, learned.pattern), code_.climb(from, learned.pattern));
+  const Eigen::Vector2d after = code_.difference(to, learned.pattern).head<2>();
+  learned.errors =
+      displaced(calibrated.to.errors, after) +
+      turned(learned.errors - displaced(calibrated.from.errors, before), to.heading - from.heading);
   learned.covariance += calibrated.origin;
   learned.height_variance += calibrated.origin_height;
   learned.part = calibrated.part;

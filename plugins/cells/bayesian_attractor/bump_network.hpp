@@ -41,6 +41,7 @@ struct NetworkSettings {
                              ///< other bumps
   double threshold = 0.98;   ///< share (posterior probability) above which a bump is accepted
   double view_spacing = 5;   ///< m of travel after which the next view counts in full
+  bool recalibrate = true;   ///< learn the errors of path integration
 };
 
 /// What a view was linked to when it was learned. A stretch is the piece of the path between two
@@ -51,6 +52,7 @@ struct LearnedPattern {
   std::int64_t stretch = 0;  ///< number of the stretch of the path
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< relative to its part's origin
   double height_variance = 0;                            ///< m^2, likewise
+  PathErrors errors = {};                                ///< likewise
 };
 
 /// A hypothesis.
@@ -77,8 +79,9 @@ struct NetworkState {
   Eigen::Vector2d explored_min =
       Eigen::Vector2d::Zero();  ///< explored rectangle, m from the origin
   Eigen::Vector2d explored_max = Eigen::Vector2d::Zero();
-  std::int64_t views = 0;  ///< familiar views that were injected
-  std::int64_t right = 0;  ///< of these, views of bumps that were accepted
+  std::int64_t views = 0;        ///< familiar views that were injected
+  std::int64_t right = 0;        ///< of these, views of bumps that were accepted
+  RunningCalibration path = {};  ///< what loops say of path integration
 };
 
 /// Outcome of an injection: the bump that the view was injected into, and whether it was accepted.
@@ -90,7 +93,7 @@ struct Recalibration {
   double share = 0;               ///< posterior probability of the accepted bump
   std::int64_t views = 0;         ///< number of views injected into the accepted bump
   std::int64_t joined_part = -1;  ///< patterns of this part move; -1: no patterns move
-  FiringPattern from, to;         ///< they move as `from` moves to `to`
+  Bump from, to;                  ///< they move as `from` moves to `to`
   std::int64_t part = 0;          ///< the part that they belong to afterwards
   Eigen::Matrix3d origin = Eigen::Matrix3d::Zero();  ///< covariance to add to theirs
   double origin_height = 0;                          ///< m^2, variance to add to theirs
@@ -100,9 +103,10 @@ class BumpNetwork {
  public:
   explicit BumpNetwork(const NetworkSettings& settings);
 
-  /// Path integration by one step, in the robot's axes. `reported`: its covariance, as odometry
-  /// reports it.
-  void integrate(const PlanarPose& step, const Eigen::Matrix3d& reported, const Climb& climb = {});
+  /// Path integration by one step, in the robot's axes, over `seconds`. `reported`: its covariance,
+  /// as odometry reports it.
+  void integrate(const PlanarPose& step, const Eigen::Matrix3d& reported, const Climb& climb = {},
+                 double seconds = 0);
   /// From here on the pose relative to the earlier path is unknown (a kidnapped robot): a new part
   /// of the path begins. Patterns of different parts have no known displacement until a loop joins
   /// the parts.
@@ -131,6 +135,18 @@ class BumpNetwork {
   double shareOfRightViews() const;
   double logDensityOfLookAlike() const;
   double logRatioOfNewBump(const LearnedPattern& learned, const Bump& seen) const;
+  /// Where one bump is from another near it, as path integration with the present calibration has
+  /// it, and the part of its uncertainty that is due to the steady errors.
+  struct Apart {
+    Eigen::Vector3d difference;  ///< (x, y, heading)
+    Eigen::Vector3d shift;       ///< of the first bump, by the present calibration
+    Eigen::Matrix3d covariance;  ///< by steady errors alone
+  };
+  PathErrors errorsBetween(const Bump& here, const Bump& there) const;
+  Apart apart(const Bump& here, const Bump& there, const PathErrors& errors,
+              const ErrorEstimate& estimate) const;
+  void fuse(Bump& bump, const Bump& seen) const;
+  void recalibrate(const Bump& winner, const LearnedPattern& learned);
   Eigen::Matrix3d covarianceInPart() const;
   Eigen::Matrix3d propagatedTo(const FiringPattern& there, const Bump& bump) const;
   Eigen::Matrix3d uncertainty(const LearnedPattern& learned) const;

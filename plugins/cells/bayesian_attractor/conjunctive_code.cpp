@@ -41,21 +41,27 @@ double ConjunctiveCode::climb(const FiringPattern& from, const FiringPattern& to
 }
 
 void ConjunctiveCode::move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise,
-                           const Climb& climb) const {
+                           const Climb& climb, const PathErrors& errors) const {
   const double heading = bump.centre.heading;
-  const Eigen::Matrix3d J = displacementJacobian(turned(step.x, step.y, heading));
+  const Eigen::Vector2d displacement = turned(step.x, step.y, heading);
+  const Eigen::Matrix3d J = displacementJacobian(displacement);
+  bump.errors = bayesian_attractor::displaced(bump.errors, displacement) +
+                bayesian_attractor::turned(errors, heading);
   bump.covariance = J * bump.covariance * J.transpose() + turned(noise, heading);
   bump.centre = displaced(bump.centre, step, climb.metres);
   bump.height_variance += climb.variance;
+}
+
+void ConjunctiveCode::shift(FiringPattern& pattern, const Eigen::Vector3d& by) const {
+  grid_.move(pattern.phases, by.head<2>());
+  pattern.heading = wrapPeriod(pattern.heading + by.z(), kTurn);
 }
 
 void ConjunctiveCode::fuse(Bump& bump, const FiringPattern& seen, const Eigen::Matrix3d& covariance,
                            double height_variance) const {
   const Eigen::Matrix3d sum = bump.covariance + covariance;
   const Eigen::Matrix3d gain = bump.covariance * sum.inverse();
-  const Eigen::Vector3d correction = gain * difference(bump.centre, seen);
-  grid_.move(bump.centre.phases, correction.head<2>());
-  bump.centre.heading = wrapPeriod(bump.centre.heading + correction.z(), kTurn);
+  shift(bump.centre, gain * difference(bump.centre, seen));
   bump.covariance = gain * covariance;
   const double height_sum = bump.height_variance + height_variance;
   if (height_sum <= 0) return;

@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include "grid_code.hpp"
-#include "height_code.hpp"
+#include "path_errors.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::bayesian_attractor {
@@ -29,6 +29,7 @@ struct Bump {
   FiringPattern centre;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double height_variance = 0;  ///< m^2
+  PathErrors errors = {};      ///< of path integration on the way to the centre
 };
 
 class ConjunctiveCode {
@@ -55,9 +56,11 @@ class ConjunctiveCode {
   double climb(const FiringPattern& from, const FiringPattern& to) const;
 
   /// Path integration: moves the bump, propagates its variance of heading to position, and adds
-  /// `noise`, the covariance of the step in the robot's own axes.
+  /// `noise`, the covariance of the step, and `errors`, both in the robot's own axes.
   void move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise,
-            const Climb& climb = {}) const;
+            const Climb& climb = {}, const PathErrors& errors = {}) const;
+  /// Moves the centre by (x m, y m, heading rad) in the axes of heading 0.
+  void shift(FiringPattern& pattern, const Eigen::Vector3d& by) const;
   /// Multiplies the bump by a Gaussian: precisions add (the paper's equation of injection, with
   /// matrices).
   void fuse(Bump& bump, const FiringPattern& seen, const Eigen::Matrix3d& covariance,

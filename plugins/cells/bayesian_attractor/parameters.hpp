@@ -9,35 +9,34 @@
 namespace tolman::bayesian_attractor {
 
 struct AttractorParameters {
-  double period = 150;
+  double period = 0;
   int modules = 4;
   double phase_sigma = 0.005;
   double height_period = 0;
   double drift_position = 0.06;
   double drift_heading = 0.0012;
-  double drift_height = 0.03;
   double drift_tail = 4;
-  double view_sigma_position = 3;
+  double view_sigma_position = 0;
   double view_sigma_heading = 0.2;
   double prior = 0.05;
-  double prior_views = 100;
   double injection = 1;
   double agreement = 3;
-  double inhibition = 0.02;
+  double inhibition = 0.1;
   double threshold = 0.98;
   double experience_spacing = 5;
-  double experience_turn = 0.5;
-  double loop_minimum_travel = 30;
-  double loop_spacing = 5;
+  double loop_minimum_travel = -1;
+  double loop_spacing = -1;
+  bool recalibrate = true;
 
  private:
   static constexpr auto bumpParameters() {
     using P = AttractorParameters;
     return parameters(
         parameter("period", &P::period)
-            .range(1e-3, 1e6)
+            .range(0, 1e6)
             .unit("m")
-            .doc("Period of the smallest grid module; each further one is 1.42 times larger."),
+            .doc("Period of the smallest grid module; each further one is 1.42 times larger. 0: 30 "
+                 "times experience_spacing."),
         parameter("modules", &P::modules)
             .range(1, 8)
             .doc("Number of grid modules. With one, places one period apart are alike."),
@@ -55,16 +54,11 @@ struct AttractorParameters {
             .range(0, 100)
             .unit("m/m^0.5")
             .doc("Standard deviation of position that path integration adds to the covariance that "
-                 "odometry reports."),
+                 "odometry reports; half of it of height."),
         parameter("drift_heading", &P::drift_heading)
             .range(0, 3)
             .unit("rad/m^0.5")
             .doc("Standard deviation of heading that path integration adds likewise."),
-        parameter("drift_height", &P::drift_height)
-            .range(0, 100)
-            .unit("m/m^0.5")
-            .doc("Standard deviation of height that path integration adds likewise; only with "
-                 "height_period."),
         parameter("drift_tail", &P::drift_tail)
             .range(1, 1e6)
             .doc("Degrees of freedom of the Student's t distribution of drift; large: Gaussian."));
@@ -74,10 +68,10 @@ struct AttractorParameters {
     using P = AttractorParameters;
     return parameters(
         parameter("view_sigma_position", &P::view_sigma_position)
-            .range(1e-6, 1e6)
+            .range(0, 1e6)
             .unit("m")
             .doc("Standard deviation, per axis, of the position relative to the template, for "
-                 "familiar views without measured pose."),
+                 "familiar views without measured pose. 0: 0.6 times experience_spacing."),
         parameter("view_sigma_heading", &P::view_sigma_heading)
             .range(1e-6, 10)
             .unit("rad")
@@ -87,10 +81,6 @@ struct AttractorParameters {
             .range(1e-6, 0.999)
             .doc("Expected share of right views among familiar ones before any was seen; also the "
                  "probability that the robot is in the mapped area when tracking restarts."),
-        parameter("prior_views", &P::prior_views)
-            .range(0.1, 1e12)
-            .unit("views")
-            .doc("Weight of `prior` against the share that is counted during the run."),
         parameter("injection", &P::injection)
             .range(0, 100)
             .doc("Factor on the log-likelihood ratio that a view injects; 0: familiar "
@@ -102,9 +92,10 @@ struct AttractorParameters {
                  "the next of several look-alikes in a row agrees with the bump as well."),
         parameter("inhibition", &P::inhibition)
             .range(0, 100)
-            .unit("nats/m")
-            .doc("Decay: log odds that each calibration bump loses per metre driven. It does not "
-                 "depend on other bumps, whose competition is the normalisation of shares."),
+            .unit("nats")
+            .doc("Decay: log odds that each calibration bump loses while experience_spacing is "
+                 "driven. It does not depend on other bumps, whose competition is the "
+                 "normalisation of shares."),
         parameter("threshold", &P::threshold)
             .range(0, 1)
             .doc("Posterior probability above which a calibration bump is accepted and closes "
@@ -115,22 +106,22 @@ struct AttractorParameters {
     using P = AttractorParameters;
     return parameters(
         parameter("experience_spacing", &P::experience_spacing)
-            .range(0, 1e6)
+            .range(1e-3, 1e6)
             .unit("m")
-            .doc("Distance between experiences, and between views that count as independent."),
-        parameter("experience_turn", &P::experience_turn)
-            .range(0, 4)
-            .unit("rad")
-            .doc("Turn since the last experience after which a new one is made."),
+            .doc("Distance between experiences, and between views that count as independent: 5 for "
+                 "a car, 0.5 for a camera in a hand. Other lengths follow from it."),
         parameter("loop_minimum_travel", &P::loop_minimum_travel)
-            .range(0, 1e9)
+            .range(-1, 1e9)
             .unit("m")
             .doc("Views whose template was made less than this travelled distance ago do not "
-                 "inject."),
+                 "inject. -1: six times experience_spacing."),
         parameter("loop_spacing", &P::loop_spacing)
-            .range(0, 1e9)
+            .range(-1, 1e9)
             .unit("m")
-            .doc("Shortest travelled distance between two loop links."));
+            .doc("Shortest travelled distance between two loop links. -1: experience_spacing."),
+        parameter("recalibrate", &P::recalibrate)
+            .doc("Learn from closed loops the steady errors of odometry (gains of distances and "
+                 "turns, turn per second and per metre) and its noise."));
   }
 
  public:

@@ -96,19 +96,23 @@ Eigen::Isometry3d ExperienceChain::shiftOf(const DeadReckoning& path, std::size_
 /// the later part moved so that this loop has no residual. Keeps the arrangement of least energy.
 template <class G>
 void ExperienceChain::rearrange(const PathParts& parts, const std::vector<typename G::Pose>& start,
-                                OptimiserOptions options, std::size_t attempts,
-                                ChainProblem<G>& best, OptimiserOutcome& outcome,
-                                ChainSystem<G>& system) const {
+                                OptimiserOptions options, std::size_t attempts, PoseGraph<G>& best,
+                                OptimiserOutcome& outcome, BorderedSystem<G>& system) const {
   if (parts.count() == 1) return;
   std::vector<PoseLink<G>>& links = best.links;
   const std::vector<double> weights = weightsOf(links);
   std::vector<double> kept = weights;
+  std::vector<typename G::Pose> kept_nodes = best.nodes;
+  const ErrorsOf<G> errors = best.errors.b;
+  ErrorsOf<G> kept_errors = errors;
   for (std::size_t k = links.size(); k-- > anchors_.size() - 1 && attempts > 0;) {
     const std::size_t from = parts.of(links[k].from);
     const std::size_t to = parts.of(links[k].to);
     if (from == to || weights[k] >= parameters_.min_loop_weight) continue;
     --attempts;
-    std::vector<typename G::Pose> nodes = start;
+    best.nodes = start;
+    best.errors.b = errors;
+    std::vector<typename G::Pose>& nodes = best.nodes;
     const typename G::Pose shift =
         partShift(links[k], nodes[links[k].from], nodes[links[k].to], to > from);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -117,27 +121,33 @@ void ExperienceChain::rearrange(const PathParts& parts, const std::vector<typena
     for (PoseLink<G>& link : links) {
       if (link.robust) link.weight = isNear(link, nodes) ? 1 : kRejectedWeight;
     }
-    const Result<OptimiserOutcome> found = optimise<G>(options, nodes, links, system);
+    const Result<OptimiserOutcome> found = optimise<G>(options, best, system);
     if (!found.isOk() || found.value().energy >= outcome.energy) continue;
     outcome = found.value();
-    best.nodes = std::move(nodes);
+    kept_nodes = best.nodes;
+    kept_errors = best.errors.b;
     kept = weightsOf(links);
   }
+  best.nodes = std::move(kept_nodes);
+  best.errors.b = kept_errors;
+  best.errors.correct(links);
   setWeights(links, kept);
 }
 
 template void ExperienceChain::rearrange<Plane>(const PathParts&, const std::vector<PlanarPose>&,
-                                                OptimiserOptions, std::size_t, ChainProblem<Plane>&,
-                                                OptimiserOutcome&, ChainSystem<Plane>&) const;
+                                                OptimiserOptions, std::size_t, PoseGraph<Plane>&,
+                                                OptimiserOutcome&, BorderedSystem<Plane>&) const;
 template void ExperienceChain::rearrange<Space>(const PathParts&,
                                                 const std::vector<Eigen::Isometry3d>&,
-                                                OptimiserOptions, std::size_t, ChainProblem<Space>&,
-                                                OptimiserOutcome&, ChainSystem<Space>&) const;
+                                                OptimiserOptions, std::size_t, PoseGraph<Space>&,
+                                                OptimiserOutcome&, BorderedSystem<Space>&) const;
 
 void ExperienceChain::restore(const DeadReckoning& path, State state) {
   anchors_ = std::move(state.anchors);
   pending_ = state.pending;
-  drift_ = state.drift;
+  calibration_ = state.calibration;
+  assumptions_ = state.assumptions;
+  loops_when_estimated_ = state.loops_when_estimated;
   begins_ = {0};
   of_experience_.clear();
   last_visit_ = 0;

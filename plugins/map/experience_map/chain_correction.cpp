@@ -14,13 +14,18 @@ namespace {
 template <class G>
 constexpr int kLengths = G::kSize == 3 ? 2 : 3;
 
+/// Factor on the prior of turning errors before it is learned. Motions in space are those of
+/// cameras, which turn rightly unless many loops say otherwise. Chosen, not tuned.
+template <class G>
+constexpr double kWidestPrior = std::is_same_v<G, Space> ? 1.0 / 64 : 1;
+
 /// Covariance of the unknown motion over a gap. If a loop joins the part to an earlier one, it is
 /// so large that the link has no influence; otherwise a unit covariance fixes the free pose of the
 /// part.
 template <class G>
 MatrixOf<G> gapCovariance(bool unjoined) {
-  constexpr double kLooseVariance = 1e6;      // m^2
-  constexpr double kLooseVarianceTurn = 1e4;  // rad^2
+  constexpr double kLooseVariance = 1e9;      // m^2
+  constexpr double kLooseVarianceTurn = 1e7;  // rad^2
   if (unjoined) return MatrixOf<G>::Identity();
   StepOf<G> variances = StepOf<G>::Constant(kLooseVarianceTurn);
   variances.template head<kLengths<G>>().setConstant(kLooseVariance);
@@ -60,101 +65,220 @@ Status ExperienceChain::optimiseAll(const DeadReckoning& path, OptimiserOptions 
 }
 
 template <class G>
-ChainProblem<G> ExperienceChain::problem(const DeadReckoning& path) const {
-  ChainProblem<G> problem;
-  problem.reckoned.reserve(anchors_.size());
-  problem.nodes.reserve(anchors_.size());
-  problem.links.reserve(2 * anchors_.size());
+PoseGraph<G> ExperienceChain::problem(const DeadReckoning& path,
+                                      std::vector<typename G::Pose>& reckoned) const {
+  PoseGraph<G> graph;
+  reckoned.reserve(anchors_.size());
+  graph.nodes.reserve(anchors_.size());
+  graph.links.reserve(2 * anchors_.size());
   for (const Anchor& anchor : anchors_) {
-    problem.reckoned.push_back(poseIn<G>(path[anchor.slot].T_start_camera));
-    problem.nodes.push_back(compose(poseIn<G>(anchor.correction), problem.reckoned.back()));
+    reckoned.push_back(poseIn<G>(path[anchor.slot].T_start_camera));
+    graph.nodes.push_back(compose(poseIn<G>(anchor.correction), reckoned.back()));
   }
   const PathParts joined = parts();
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    problem.links.push_back(odometryLink<G>(path, i, joined));
+    graph.links.push_back(odometryLink<G>(path, i, joined));
   }
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    if (anchors_[i].visit) problem.links.push_back(loopLink<G>(path, i));
+    if (anchors_[i].visit) graph.links.push_back(loopLink<G>(path, i));
   }
-  return problem;
+  for (const PoseLink<G>& link : graph.links) graph.assumed.push_back(link.covariance);
+  if (!parameters_.recalibrate) return graph;
+  SteadyErrors<G>& errors = graph.errors;
+  errors.b = calibration_.errors.template head<kErrors<G>>();
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    errors.reported.push_back(graph.links[i - 1].pose);
+    errors.effects.push_back(endProjection<G>(path[anchors_[i - 1].slot].T_start_camera,
+                                              path[anchors_[i].slot].T_start_camera) *
+                             anchors_[i].odometry.effect.template leftCols<kErrors<G>>());
+  }
+  Assumptions assumed = assumptions_;
+  assumed.errors = std::min(assumed.errors, kWidestPrior<G>);
+  assume<G>(assumed, graph);
+  return graph;
+}
+
+/// While running, the steady errors are estimated each time that there are half as many loops more,
+/// which bounds the time, and held in between.
+template <class G>
+void ExperienceChain::holdErrors(PoseGraph<G>& graph, bool always) {
+  constexpr double kGrowth = 1.5;  // chosen, not tuned
+  if (!parameters_.recalibrate) return;
+  const std::size_t loops = graph.links.size() + 1 - anchors_.size();
+  if (!always &&
+      static_cast<double>(loops) >= kGrowth * static_cast<double>(loops_when_estimated_)) {
+    loops_when_estimated_ = loops;
+    return;
+  }
+  graph.errors.correct(graph.links);
+  graph.errors.reported.clear();
+  graph.errors.effects.clear();
 }
 
 template <class G>
 Status ExperienceChain::optimiseIn(const DeadReckoning& path, OptimiserOptions options,
                                    Effort effort) {
-  constexpr std::size_t kFinalAttempts = 10;         // bounds the time of the final correction
-  constexpr double kToleranceBeforeLearning = 1e-6;  // of the energy; chosen, not tuned
-  options.solver = parameters_.solver;
+  constexpr std::size_t kFinalAttempts = 10;  // bounds the time of the final correction
   options.loss = parameters_.loss;
   // The expected squared residual of a right link is its number of dimensions; the parameters are
   // for three dimensions.
   options.delta =
       std::sqrt(G::kSize / 3.0) *
       (options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale);
-  const bool learns =
-      std::is_same_v<G, Space> && effort == Effort::Final && parameters_.learn_drift;
-  OptimiserOptions first = options;  // coarser if another optimisation follows
-  if (learns) first.tolerance = std::max(options.tolerance, kToleranceBeforeLearning);
-  ChainProblem<G> found = problem<G>(path);
+  std::vector<typename G::Pose> reckoned;
+  PoseGraph<G> found = problem<G>(path, reckoned);
+  const SteadyErrors<G> errors = found.errors;
+  // In space a false loop over a long way without loops would be a steady drift, so the drift is
+  // learned from the loops that remain without it.
+  if (effort == Effort::Online || std::is_same_v<G, Space>)
+    holdErrors<G>(found, std::is_same_v<G, Space>);
   const PathParts joined = parts();
   std::vector<typename G::Pose> start;  // the other arrangements of the parts begin there
   if (joined.count() > 1) start = found.nodes;
-  ChainSystem<G> system;
+  BorderedSystem<G> system;
   const Result<OptimiserOutcome> outcome =
-      effort == Effort::Online
-          ? optimise<G>(first, found.nodes, found.links, system)
-          : optimiseMultiStart<G>(first, found.reckoned, found.nodes, found.links, system);
+      effort == Effort::Online ? optimise<G>(options, found, system)
+                               : optimiseMultiStart<G>(options, reckoned, found, system);
   if (!outcome.isOk()) return outcome.status();
   OptimiserOutcome best = outcome.value();
-  rearrange<G>(joined, start, first, effort == Effort::Online ? 1 : kFinalAttempts, found, best,
+  rearrange<G>(joined, start, options, effort == Effort::Online ? 1 : kFinalAttempts, found, best,
                system);
-  if constexpr (std::is_same_v<G, Space>) {
-    if (learns) {
-      Status status = learnDriftAndCorrect(path, options, found, best, system);
-      if (!status.isOk()) return status;
-    }
+  if (effort == Effort::Final && parameters_.recalibrate) {
+    const ErrorsOf<G> b = found.errors.b;
+    found.errors = errors;
+    found.errors.b = b;
+    if (Status status = recalibrate<G>(options, found, best, system); !status.isOk()) return status;
   }
+  if (effort == Effort::Final) noteResiduals<G>(found);
+  calibration_.errors.template head<kErrors<G>>() = found.errors.b;
   pending_ = !best.converged;
-  apply<G>(found);
+  apply<G>(reckoned, found);
   return Status::ok();
 }
 
-/// Learns the drift from the loops that were not rejected, then optimises all links again under it.
-Status ExperienceChain::learnDriftAndCorrect(const DeadReckoning& path,
-                                             const OptimiserOptions& options,
-                                             ChainProblem<Space>& found, OptimiserOutcome& outcome,
-                                             ChainSystem<Space>& system) {
-  const PathParts joined = parts();
-  const auto adopt = [&](const DriftModel& drift) {
-    drift_ = drift;
-    for (std::size_t i = 1; i < anchors_.size(); ++i) {
-      const double weight = found.links[i - 1].weight;
-      found.links[i - 1] = odometryLink<Space>(path, i, joined);
-      found.links[i - 1].weight = weight;
+/// Matches of views without measured pose may all come as early or late, which neither odometry nor
+/// noise explains: what the map leaves of such an offset is common to them, and is taken from them.
+template <class G>
+void ExperienceChain::centreAssumedLoops(PoseGraph<G>& graph) const {
+  constexpr int kLengths = G::kSize == 3 ? 2 : 3;  // the first coordinates of a step
+  StepOf<G> sum = StepOf<G>::Zero();
+  double weights = 0;
+  const auto each = [&](const auto& action) {
+    std::size_t loop = anchors_.size() - 1;
+    for (const Anchor& anchor : anchors_) {
+      if (!anchor.visit) continue;
+      PoseLink<G>& link = graph.links[loop++];
+      if (anchor.assumed) action(link);
     }
   };
-  std::vector<double> lengths;
-  for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    lengths.push_back(anchors_[i].gap ? 0 : anchors_[i].odometry.length);
+  each([&](const PoseLink<G>& link) {
+    sum += link.weight * residualOf(link, graph.nodes[link.from], graph.nodes[link.to]);
+    weights += link.weight;
+  });
+  if (weights <= 0) return;
+  StepOf<G> offset = StepOf<G>::Zero();
+  offset.template head<kLengths>() = sum.template head<kLengths>() / weights;
+  each([&](PoseLink<G>& link) { link.pose = corrected(link.pose, offset); });
+}
+
+/// Learns from the loops how large errors are, with poses and steady errors marginalised, and
+/// optimises again under it. The start is the map as it is, and the map with odometry's errors
+/// assumed larger, so that no right loop is rejected because the map is still wrong; the more
+/// probable result is kept. Few loops agree by chance, and teach the steady errors only.
+template <class G>
+Status ExperienceChain::recalibrate(const OptimiserOptions& options, PoseGraph<G>& graph,
+                                    OptimiserOutcome& outcome, BorderedSystem<G>& system) {
+  constexpr double kRelaxed = 4;        // chosen, not tuned
+  constexpr std::size_t kFewLoops = 3;  // chosen, not tuned
+  const std::size_t loops = graph.links.size() + 1 - anchors_.size();
+  if (loops >= kFewLoops) {
+    centreAssumedLoops<G>(graph);
+    Learned<G> best;
+    for (const double relaxed : {kRelaxed, 1.0}) {
+      if (std::is_same_v<G, Space> && relaxed > 1) continue;  // drives with gaps of loops
+      Learned<G> learned = {.graph = graph, .assumed = assumptions_};
+      learned.assumed.odometry_distance *= relaxed;
+      learned.assumed.odometry_turns *= relaxed;
+      learned.assumed.errors = kWidestPrior<G>;
+      if (learnFrom<G>(options, learned, system).isOk() && learned.posterior > best.posterior) {
+        best = std::move(learned);
+      }
+    }
+    if (!std::isfinite(best.posterior)) return Status::failed("no error of odometry is learned");
+    graph = std::move(best.graph);
+    outcome = best.outcome;
+    assumptions_ = best.assumed;
   }
-  const DriftPrior prior = {parameters_.drift_rotation, parameters_.steady_drift};
-  adopt({prior.rotation, Eigen::Vector3d::Zero()});
-  adopt(learnDrift(found.nodes, found.links, lengths, prior, system));
-  const Result<OptimiserOutcome> again = optimise<Space>(options, found.nodes, found.links, system);
-  if (!again.isOk()) return again.status();
-  outcome = again.value();
+  noteCalibration<G>(graph, system);
   return Status::ok();
 }
 
 template <class G>
-void ExperienceChain::apply(const ChainProblem<G>& problem) {
+Status ExperienceChain::learnFrom(const OptimiserOptions& options, Learned<G>& learned,
+                                  BorderedSystem<G>& system) {
+  constexpr int kRounds = 3;  // bounds the time; chosen, not tuned
+  assume<G>(learned.assumed, learned.graph);
+  if (const auto start = optimise<G>(options, learned.graph, system); !start.isOk()) {
+    return start.status();
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    const Assumptions before = learned.assumed;
+    learned.assumed = learnAssumptions<G>(learned.assumed, learned.graph, system);
+    if (round > 0 && learned.assumed == before) break;
+    const Result<OptimiserOutcome> again = optimise<G>(options, learned.graph, system);
+    if (!again.isOk()) return again.status();
+    learned.outcome = again.value();
+  }
+  learned.posterior =
+      logPosterior<G>(learned.assumed, learned.graph, learned.outcome.energy, system);
+  return Status::ok();
+}
+
+/// Stores what was learned, with standard deviations.
+template <class G>
+void ExperienceChain::noteCalibration(const PoseGraph<G>& graph, BorderedSystem<G>& system) {
+  calibration_.noise_distance = assumptions_.odometry_distance;
+  calibration_.noise_turns = assumptions_.odometry_turns;
+  calibration_.errors.template head<kErrors<G>>() = graph.errors.b;
+  const auto covariance = system.errorCovariance(graph);
+  if (!covariance) return;
+  calibration_.sigmas.template head<kErrors<G>>() = covariance->diagonal().cwiseSqrt();
+  double length = 0;
+  double seconds = 0;
+  for (const Anchor& anchor : anchors_) {
+    length += anchor.odometry.length;
+    seconds -= anchor.odometry.effect(4, 1);
+  }
+  if (seconds <= 0) return;
+  ErrorsOf<G> turning = ErrorsOf<G>::Zero();  // rad/s, of turns per second and per metre
+  turning[1] = 1;
+  turning[2] = length / seconds;
+  calibration_.turning = turning.dot(graph.errors.b);
+  calibration_.turning_sigma = std::sqrt(turning.dot(*covariance * turning));
+}
+
+/// Residuals of the accepted loops in the standard deviations that were assumed at first.
+template <class G>
+void ExperienceChain::noteResiduals(const PoseGraph<G>& graph) {
+  residuals_.clear();
+  for (std::size_t k = anchors_.size() - 1; k < graph.links.size(); ++k) {
+    const PoseLink<G>& loop = graph.links[k];
+    if (loop.weight < parameters_.min_loop_weight) continue;
+    const StepOf<G> off = residualOf(loop, graph.nodes[loop.from], graph.nodes[loop.to]);
+    const double chi_square = off.dot(informationOf(graph.assumed[k]) * off);
+    residuals_.push_back(std::sqrt(chi_square * 3 / G::kSize));
+  }
+}
+
+template <class G>
+void ExperienceChain::apply(const std::vector<typename G::Pose>& reckoned,
+                            const PoseGraph<G>& graph) {
   std::size_t loop = anchors_.size() - 1;  // loop links follow all odometry links
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
     Anchor& anchor = anchors_[i];
-    anchor.correction =
-        lifted(compose(problem.nodes[i], between(problem.reckoned[i], G::identity())));
-    anchor.odometry_weight = problem.links[i - 1].weight;
-    if (anchor.visit) anchor.offset_weight = problem.links[loop++].weight;
+    anchor.correction = lifted(compose(graph.nodes[i], between(reckoned[i], G::identity())));
+    anchor.odometry_weight = graph.links[i - 1].weight;
+    if (anchor.visit) anchor.offset_weight = graph.links[loop++].weight;
   }
 }
 
@@ -168,9 +292,6 @@ PoseLink<G> ExperienceChain::odometryLink(const DeadReckoning& path, std::size_t
   PoseLink<G> link = linkOf<G>(T_start_from, {T_from_to, anchor.odometry.covariance});
   link.from = i - 1;
   link.to = i;
-  if constexpr (std::is_same_v<G, Space>) {
-    link = withDrift(link, anchor.odometry.length, parameters_.drift_rotation, drift_);
-  }
   if (anchor.gap) link.covariance = gapCovariance<G>(parts.first(parts.of(i)) == parts.of(i));
   link.robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber;
   link.weight = anchor.odometry_weight;

@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "block_inverse.hpp"
-#include "planar_link.hpp"
-#include "spatial_link.hpp"
+#include "pose_link.hpp"
 
 namespace tolman::experience_map {
 namespace {
@@ -248,7 +247,8 @@ void ChainSystem<G>::substitute(Columns<kColumns>& x) const {
 template class ChainSystem<Plane>;
 template class ChainSystem<Space>;
 template bool ChainSystem<Space>::solveFor<1>(const Columns<1>&, Columns<1>&);
-template bool ChainSystem<Space>::solveFor<4>(const Columns<4>&, Columns<4>&);
+template bool ChainSystem<Space>::solveFor<6>(const Columns<6>&, Columns<6>&);
 template bool ChainSystem<Plane>::solveFor<1>(const Columns<1>&, Columns<1>&);
+template bool ChainSystem<Plane>::solveFor<4>(const Columns<4>&, Columns<4>&);
 
 }  // namespace tolman::experience_map

@@ -36,8 +36,8 @@ void DeadReckoning::append(const Motion& motion, std::int64_t anchor) {
     planar_ = planar_ && isInPlane(moved.T);
     metric_ = metric_ && motion.scale_known;
     if (motion.state != TrackingState::Tracking) {
-      moved.covariance +=
-          isotropic(parameters_.lost_sigma_translation, parameters_.lost_sigma_rotation);
+      constexpr double kLostRotation = 0.1;  // rad; chosen, not tuned
+      moved.covariance += isotropic(parameters_.assumed_sigma_translation / 3, kLostRotation);
     }
     reckoned.T_start_camera = normalised(frames_.back().T_start_camera * moved.T);
   }
@@ -85,6 +85,8 @@ PathMotion DeadReckoning::between(std::size_t from, std::size_t to) const {
   PathMotion sum;
   for (std::size_t slot = from + 1; slot <= to; ++slot) {
     const UncertainPose motion = motions_[slot];
+    sum.effect = adjointSe3(motion.T.inverse()) * sum.effect +
+                 steadyEffect(motion.T, frames_[slot].gap ? 0 : seconds(slot - 1, slot));
     static_cast<UncertainPose&>(sum) = compose(sum, motion);
     sum.length += motion.T.translation().norm();
   }

@@ -14,12 +14,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tolman/records.hpp>
 #include <vector>
 
 #include "chain_problem.hpp"
 #include "dead_reckoning.hpp"
-#include "drift_model.hpp"
 #include "graph_optimiser.hpp"
 #include "growing_list.hpp"
 #include "parameters.hpp"
@@ -53,9 +53,7 @@ struct ExperiencePose {
 
 class ExperienceChain {
  public:
-  explicit ExperienceChain(const Parameters& parameters = {}) : parameters_(parameters) {
-    drift_.rotation = parameters.drift_rotation;
-  }
+  explicit ExperienceChain(const Parameters& parameters = {}) : parameters_(parameters) {}
 
   /// Index of the last anchor.
   std::int64_t current() const { return static_cast<std::int64_t>(anchors_.size()) - 1; }
@@ -107,14 +105,22 @@ class ExperienceChain {
 
   /// The state to save, besides that of DeadReckoning. Anchor::odometry is recomputed.
   const GrowingList<Anchor>& anchors() const { return anchors_; }
-  const DriftModel& drift() const { return drift_; }
+  /// What the loops taught about odometry.
+  const PathCalibration& calibration() const { return calibration_; }
+  const Assumptions& assumptions() const { return assumptions_; }
+  std::size_t loopsWhenEstimated() const { return loops_when_estimated_; }
+  /// After the final correction: distances of accepted loops from the map, in the standard
+  /// deviations that were assumed for them.
+  const std::vector<double>& residuals() const { return residuals_; }
   /// The saved state as it was read.
   struct State {
     GrowingList<Anchor> anchors;
     std::int64_t links = 0;
     std::int64_t loops = 0;
     bool pending = false;
-    DriftModel drift;
+    PathCalibration calibration;
+    Assumptions assumptions;
+    std::size_t loops_when_estimated = 0;
   };
   /// `state` must have passed the checks of saved_map.
   void restore(const DeadReckoning& path, State state);
@@ -136,11 +142,11 @@ class ExperienceChain {
   /// Whether the map is corrected in space; otherwise in the plane (parameter `space`).
   bool isSpatial(const DeadReckoning& path) const;
   template <class G>
-  ChainProblem<G> problem(const DeadReckoning& path) const;
+  PoseGraph<G> problem(const DeadReckoning& path, std::vector<typename G::Pose>& reckoned) const;
   template <class G>
   void rearrange(const PathParts& parts, const std::vector<typename G::Pose>& start,
-                 OptimiserOptions options, std::size_t attempts, ChainProblem<G>& best,
-                 OptimiserOutcome& outcome, ChainSystem<G>& system) const;
+                 OptimiserOptions options, std::size_t attempts, PoseGraph<G>& best,
+                 OptimiserOutcome& outcome, BorderedSystem<G>& system) const;
   template <class G>
   Eigen::Isometry3d shiftOf(const DeadReckoning& path, std::size_t visit,
                             bool visit_is_later) const;
@@ -162,10 +168,28 @@ class ExperienceChain {
   double seconds(const DeadReckoning& path, std::size_t before, std::size_t i) const;
   Link mergedLink(const DeadReckoning& path, std::size_t before, std::size_t i) const;
   template <class G>
-  void apply(const ChainProblem<G>& problem);
-  Status learnDriftAndCorrect(const DeadReckoning& path, const OptimiserOptions& options,
-                              ChainProblem<Space>& found, OptimiserOutcome& outcome,
-                              ChainSystem<Space>& system);
+  Status recalibrate(const OptimiserOptions& options, PoseGraph<G>& graph,
+                     OptimiserOutcome& outcome, BorderedSystem<G>& system);
+  /// A map under assumptions that were learned from one start.
+  template <class G>
+  struct Learned {
+    PoseGraph<G> graph = {};
+    Assumptions assumed = {};
+    OptimiserOutcome outcome = {};
+    double posterior = -std::numeric_limits<double>::infinity();  ///< log
+  };
+  template <class G>
+  Status learnFrom(const OptimiserOptions& options, Learned<G>& learned, BorderedSystem<G>& system);
+  template <class G>
+  void centreAssumedLoops(PoseGraph<G>& graph) const;
+  template <class G>
+  void noteCalibration(const PoseGraph<G>& graph, BorderedSystem<G>& system);
+  template <class G>
+  void noteResiduals(const PoseGraph<G>& graph);
+  template <class G>
+  void holdErrors(PoseGraph<G>& graph, bool always);
+  template <class G>
+  void apply(const std::vector<typename G::Pose>& reckoned, const PoseGraph<G>& graph);
 
   Parameters parameters_;
   GrowingList<Anchor> anchors_;
@@ -176,7 +200,10 @@ class ExperienceChain {
   std::size_t last_visit_ = 0;  ///< anchor; 0 for none
   bool measured_ = false;       ///< a visit has a measured offset
   bool pending_ = false;
-  DriftModel drift_;  ///< of odometry links in space
+  PathCalibration calibration_;
+  Assumptions assumptions_;
+  std::size_t loops_when_estimated_ = 0;  ///< at the last estimate of the steady errors
+  std::vector<double> residuals_;         ///< of accepted loops, after the final correction
 };
 
 }  // namespace tolman::experience_map

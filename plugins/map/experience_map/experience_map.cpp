@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experience_map.hpp"
 
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -9,6 +12,7 @@
 namespace tolman::experience_map {
 namespace {
 
+constexpr int kOnlineIterations = 5;  // of one correction; chosen, not tuned
 // Relative change of the energy that ends a correction. Chosen, not tuned.
 constexpr double kOnlineTolerance = 1e-6;
 // More than needed: twice or half as many give the same results on all available drives.
@@ -137,7 +141,7 @@ bool ExperienceMap::correctionDue() const {
 }
 
 void ExperienceMap::correct() {
-  noteCorrection(chain_.correct(motions_, parameters_.online_iterations, kOnlineTolerance));
+  noteCorrection(chain_.correct(motions_, kOnlineIterations, kOnlineTolerance));
   // The time of a correction grows with the number of nodes. The interval grows in proportion,
   // which bounds the mean time per frame.
   const auto growth = parameters_.interval_growth * static_cast<double>(chain_.current());
@@ -195,10 +199,34 @@ Status ExperienceMap::load(std::istream& stream) {
   return Status::ok();
 }
 
+/// What was learned about odometry, and how far the loops are from the map.
+void ExperienceMap::reportErrors() const {
+  constexpr double kFar = 3;             // standard deviations
+  constexpr std::size_t kFewestFar = 3;  // fewer are chance; chosen, not tuned
+  for (const std::string& sentence : describe(chain_.calibration())) log_->info(sentence);
+  std::vector<double> residuals = chain_.residuals();
+  if (residuals.empty()) return;
+  std::ranges::sort(residuals);
+  const auto quantile = [&](double share) {
+    return residuals[static_cast<std::size_t>(share * static_cast<double>(residuals.size() - 1))];
+  };
+  std::ostringstream text;
+  text << std::setprecision(2) << "loop links are " << quantile(0.5)
+       << " standard deviations from the map (median; 95 %: " << quantile(0.95) << ")";
+  log_->info(text.str());
+  const auto far =
+      static_cast<std::size_t>(residuals.end() - std::ranges::upper_bound(residuals, kFar));
+  if (far < kFewestFar || 10 * far < residuals.size()) return;
+  log_->warning(std::to_string(far) + " of " + std::to_string(residuals.size()) +
+                " loop links are more than three standard deviations from the map: the map is "
+                "wrong there, or the poses that views measure are less certain than they say");
+}
+
 Status ExperienceMap::finish(const std::vector<MotionRevision>& revisions) {
   revise(revisions);
   if (!parameters_.optimise || !chain_.visited()) return Status::ok();
   noteCorrection(chain_.correctFinally(motions_, kFinalIterations, kFinalTolerance));
+  reportErrors();
   return Status::ok();
 }
 

@@ -43,6 +43,7 @@ class ExperienceMap final : public Map, public StateKeeper {
   void correct();
   void noteCorrection(const Status& status);
   bool correctionDue() const;
+  void reportErrors() const;
   void report(MapUpdate& update) const;
 
   Parameters parameters_;

@@ -6,10 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ceres_optimiser.hpp"
-#include "planar_link.hpp"
-#include "spatial_link.hpp"
-
 namespace tolman::experience_map {
 namespace {
 
@@ -40,12 +36,16 @@ class GaussNewton {
   using Pose = typename G::Pose;
   using PoseLinks = std::vector<PoseLink<G>>;
 
-  GaussNewton(const OptimiserOptions& options, std::vector<Pose>& nodes, PoseLinks& links,
-              ChainSystem<G>& system)
-      : options_(options), nodes_(nodes), links_(links), system_(system) {
-    system_.build(nodes.size(), links);
-    chi_square_.resize(links.size());
-    curvatures_.resize(links.size());
+  GaussNewton(const OptimiserOptions& options, PoseGraph<G>& graph, BorderedSystem<G>& system)
+      : options_(options),
+        nodes_(graph.nodes),
+        links_(graph.links),
+        errors_(graph.errors),
+        system_(system) {
+    system_.build(nodes_.size(), links_);
+    chi_square_.resize(links_.size());
+    curvatures_.resize(links_.size());
+    errors_.correct(links_);
     computeResiduals();
   }
 
@@ -86,7 +86,7 @@ class GaussNewton {
   /// Sum of rho; does not depend on the weights.
   double energy() const {
     const double bound = options_.delta * options_.delta;
-    double sum = 0;
+    double sum = errors_.energy();
     for (std::size_t k = 0; k < links_.size(); ++k) {
       const double chi = chi_square_[k];
       if (!links_[k].robust) {
@@ -158,7 +158,7 @@ class GaussNewton {
 
   /// Weighted sum of squared residuals.
   double leastSquares() const {
-    double sum = 0;
+    double sum = errors_.energy();
     for (std::size_t k = 0; k < links_.size(); ++k) sum += links_[k].weight * chi_square_[k];
     return sum;
   }
@@ -168,12 +168,15 @@ class GaussNewton {
     constexpr double kMinDamping = 1e-4;  // relative to the diagonal; chosen, not tuned
     constexpr double kMaxDamping = 1e8;   // beyond it the step is below rounding; chosen, not tuned
     start_ = nodes_;
+    const ErrorsOf<G> errors_before = errors_.b;
     const double before = leastSquares();
-    system_.linearise(nodes_, links_, curvatures_);
+    system_.linearise(nodes_, links_, curvatures_, errors_);
     for (double damping = damping_; damping < kMaxDamping;
          damping = std::max(kMinDamping, 10 * damping)) {
-      if (!system_.solve(damping, step_)) continue;
+      if (!system_.solve(damping, step_, error_step_)) continue;
       moveAll(start_, step_, nodes_);
+      errors_.b = errors_before + error_step_;
+      errors_.correct(links_);
       computeResiduals();
       if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
         damping_ = damping > kMinDamping ? 0.1 * damping : 0;
@@ -181,93 +184,102 @@ class GaussNewton {
       }
     }
     nodes_ = start_;  // at a minimum, up to rounding
+    errors_.b = errors_before;
+    errors_.correct(links_);
     computeResiduals();
-    if (before == 0 || system_.solve(0, step_)) return Status::ok();
+    if (before == 0 || system_.solve(0, step_, error_step_)) return Status::ok();
     return Status::failed("the normal equations of the map are singular");
   }
 
   OptimiserOptions options_;
   std::vector<Pose>& nodes_;
   PoseLinks& links_;
-  ChainSystem<G>& system_;
+  SteadyErrors<G>& errors_;
+  BorderedSystem<G>& system_;
   std::vector<double> chi_square_;  ///< of each link
   std::vector<double> curvatures_;  ///< of each link, see ChainSystem::linearise()
   std::vector<Pose> start_;         ///< the nodes before a step
   std::vector<StepOf<G>> step_;
+  ErrorsOf<G> error_step_;
   double damping_ = 0;
 };
 
 }  // namespace
 
 template <class G>
-Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
-                                  std::vector<typename G::Pose>& nodes,
-                                  std::vector<PoseLink<G>>& links, ChainSystem<G>& system) {
-  if (options.solver == Solver::Ceres) return optimiseWithCeres<G>(options, nodes, links);
-  std::vector<typename G::Pose> start = nodes;
-  const std::vector<double> weights = weightsOf(links);
-  GaussNewton<G> descent(options, nodes, links, system);
+Result<OptimiserOutcome> optimise(const OptimiserOptions& options, PoseGraph<G>& graph,
+                                  BorderedSystem<G>& system) {
+  std::vector<typename G::Pose> start = graph.nodes;
+  const ErrorsOf<G> errors = graph.errors.b;
+  const std::vector<double> weights = weightsOf(graph.links);
+  GaussNewton<G> descent(options, graph, system);
   const bool annealed = options.annealed && options.loss == Loss::GemanMcclure;
   const Result<bool> converged = annealed ? descent.anneal() : descent.descend();
   if (converged.isOk()) return OptimiserOutcome{converged.value(), descent.energy()};
-  nodes = std::move(start);
-  setWeights(links, weights);
+  graph.nodes = std::move(start);
+  graph.errors.b = errors;
+  setWeights(graph.links, weights);
   return converged.status();
 }
 
 template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             const std::vector<typename G::Pose>& reckoned,
-                                            std::vector<typename G::Pose>& nodes,
-                                            std::vector<PoseLink<G>>& links,
-                                            ChainSystem<G>& system) {
+                                            PoseGraph<G>& graph, BorderedSystem<G>& system) {
   using Poses = std::vector<typename G::Pose>;
   using Weights = std::vector<double>;
-  const Poses start = nodes;
-  const Weights initial = weightsOf(links);
-  Result<OptimiserOutcome> best = optimise<G>(options, nodes, links, system);
+  Poses kept_nodes = graph.nodes;
+  ErrorsOf<G> kept_errors = graph.errors.b;
+  const Poses start = graph.nodes;
+  const ErrorsOf<G> start_errors = graph.errors.b;
+  const Weights initial = weightsOf(graph.links);
+  Result<OptimiserOutcome> best = optimise<G>(options, graph, system);
   if (options.loss == Loss::Huber) return best;
   const bool all_accepted = std::ranges::all_of(
-      links, [](const PoseLink<G>& link) { return link.weight > kAcceptedWeight; });
+      graph.links, [](const PoseLink<G>& link) { return link.weight > kAcceptedWeight; });
   if (best.isOk() && best.value().converged && all_accepted) return best;
-  Weights kept = weightsOf(links);
-  const auto attempt = [&](Poses from, const Weights& weights) {
-    setWeights(links, weights);
+  Weights kept = weightsOf(graph.links);
+  kept_nodes = graph.nodes;
+  kept_errors = graph.errors.b;
+  const auto attempt = [&](const Poses& from, const ErrorsOf<G>& errors, const Weights& weights) {
+    graph.nodes = from;
+    graph.errors.b = errors;
+    setWeights(graph.links, weights);
     if (best.isOk()) options.energy_bound = best.value().energy;
-    const Result<OptimiserOutcome> outcome = optimise<G>(options, from, links, system);
+    const Result<OptimiserOutcome> outcome = optimise<G>(options, graph, system);
     if (!outcome.isOk()) return;
     if (best.isOk() && best.value().energy <= outcome.value().energy) return;
     best = outcome;
-    nodes = std::move(from);
-    kept = weightsOf(links);
+    kept_nodes = graph.nodes;
+    kept_errors = graph.errors.b;
+    kept = weightsOf(graph.links);
   };
   options.annealed = true;
-  attempt(start, initial);
+  attempt(start, start_errors, initial);
   options.annealed = false;
   Weights without_loops;
-  for (const PoseLink<G>& link : links) without_loops.push_back(link.robust ? kRejectedWeight : 1);
-  attempt(reckoned, without_loops);
-  setWeights(links, kept);
+  for (const PoseLink<G>& link : graph.links) {
+    without_loops.push_back(link.robust ? kRejectedWeight : 1);
+  }
+  attempt(reckoned, ErrorsOf<G>::Zero(), without_loops);
+  graph.nodes = std::move(kept_nodes);
+  graph.errors.b = kept_errors;
+  graph.errors.correct(graph.links);
+  setWeights(graph.links, kept);
   return best;
 }
 
-template Result<OptimiserOutcome> optimise<Plane>(const OptimiserOptions&,
-                                                  std::vector<Plane::Pose>&,
-                                                  std::vector<PoseLink<Plane>>&,
-                                                  ChainSystem<Plane>&);
+template Result<OptimiserOutcome> optimise<Plane>(const OptimiserOptions&, PoseGraph<Plane>&,
+                                                  BorderedSystem<Plane>&);
 template Result<OptimiserOutcome> optimiseMultiStart<Plane>(OptimiserOptions,
-                                                            const std::vector<Plane::Pose>&,
-                                                            std::vector<Plane::Pose>&,
-                                                            std::vector<PoseLink<Plane>>&,
-                                                            ChainSystem<Plane>&);
-template Result<OptimiserOutcome> optimise<Space>(const OptimiserOptions&,
-                                                  std::vector<Space::Pose>&,
-                                                  std::vector<PoseLink<Space>>&,
-                                                  ChainSystem<Space>&);
+                                                            const std::vector<PlanarPose>&,
+                                                            PoseGraph<Plane>&,
+                                                            BorderedSystem<Plane>&);
+template Result<OptimiserOutcome> optimise<Space>(const OptimiserOptions&, PoseGraph<Space>&,
+                                                  BorderedSystem<Space>&);
 template Result<OptimiserOutcome> optimiseMultiStart<Space>(OptimiserOptions,
-                                                            const std::vector<Space::Pose>&,
-                                                            std::vector<Space::Pose>&,
-                                                            std::vector<PoseLink<Space>>&,
-                                                            ChainSystem<Space>&);
+                                                            const std::vector<Eigen::Isometry3d>&,
+                                                            PoseGraph<Space>&,
+                                                            BorderedSystem<Space>&);
 
 }  // namespace tolman::experience_map

@@ -18,8 +18,7 @@
 #include <tolman/status.hpp>
 #include <vector>
 
-#include "chain_system.hpp"
-#include "pose_link.hpp"
+#include "bordered_system.hpp"
 
 namespace tolman::experience_map {
 
@@ -34,15 +33,7 @@ enum class Loss : std::uint8_t {
 inline constexpr std::array<std::string_view, 2> kLossNames = {"huber", "geman_mcclure"};
 constexpr std::span<const std::string_view> enumNames(Loss) { return kLossNames; }
 
-enum class Solver : std::uint8_t {
-  Elimination,  ///< block elimination along the chain of odometry links (chain_system)
-  Ceres,        ///< Ceres, as in the paper
-};
-inline constexpr std::array<std::string_view, 2> kSolverNames = {"elimination", "ceres"};
-constexpr std::span<const std::string_view> enumNames(Solver) { return kSolverNames; }
-
 struct OptimiserOptions {
-  Solver solver = Solver::Elimination;
   int iterations = 100;  ///< largest number; see kFinalIterations
   Loss loss = Loss::Huber;
   double delta = 1;          ///< Huber: r up to which the loss is quadratic; Geman-McClure: c
@@ -58,39 +49,19 @@ struct OptimiserOutcome {
   double energy = 0;  ///< sum of rho
 };
 
-/// Minimises the energy from the given nodes and weights (1 for new links); node 0 is fixed. On
-/// failure nothing changes. `system` is working memory, which several calls share.
+/// Minimises the energy from the given nodes, errors and weights (1 for new links); node 0 is
+/// fixed. On failure nothing changes. `system` is working memory, which several calls share.
 template <class G>
-Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
-                                  std::vector<typename G::Pose>& nodes,
-                                  std::vector<PoseLink<G>>& links, ChainSystem<G>& system);
+Result<OptimiserOutcome> optimise(const OptimiserOptions& options, PoseGraph<G>& graph,
+                                  BorderedSystem<G>& system);
 
-/// A redescending loss has many local minima. Optimises from `nodes` as given; if that does not
+/// A redescending loss has many local minima. Optimises from the graph as given; if that does not
 /// converge, or gives a loop a weight of 0.5 or less, also by graduated non-convexity and from dead
 /// reckoning without loops, and keeps the result of least energy. With Huber's loss, which is
-/// convex, only from `nodes`.
+/// convex, only from there.
 template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             const std::vector<typename G::Pose>& reckoned,
-                                            std::vector<typename G::Pose>& nodes,
-                                            std::vector<PoseLink<G>>& links,
-                                            ChainSystem<G>& system);
-
-/// The same two functions with working memory of their own.
-template <class G>
-Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
-                                  std::vector<typename G::Pose>& nodes,
-                                  std::vector<PoseLink<G>>& links) {
-  ChainSystem<G> system;
-  return optimise<G>(options, nodes, links, system);
-}
-template <class G>
-Result<OptimiserOutcome> optimiseMultiStart(const OptimiserOptions& options,
-                                            const std::vector<typename G::Pose>& reckoned,
-                                            std::vector<typename G::Pose>& nodes,
-                                            std::vector<PoseLink<G>>& links) {
-  ChainSystem<G> system;
-  return optimiseMultiStart<G>(options, reckoned, nodes, links, system);
-}
+                                            PoseGraph<G>& graph, BorderedSystem<G>& system);
 
 }  // namespace tolman::experience_map

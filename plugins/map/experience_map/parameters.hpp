@@ -18,21 +18,16 @@ constexpr std::span<const std::string_view> enumNames(Geometry) { return kGeomet
 struct Parameters {
   bool optimise = true;
   Geometry space = Geometry::Auto;
-  int online_iterations = 5;
   int interval = 10;
   double interval_growth = 0.02;  // frames; bounds the mean time of a frame
-  Solver solver = Solver::Elimination;
   Loss loss = Loss::GemanMcclure;
   double huber_delta = 1.0;          // the paper names none
   double geman_mcclure_scale = 4.0;  // standard deviations
   double min_loop_weight = 0.1;
   bool huber_odometry = false;
   double drift_translation = 0.01;  // m/m
-  double drift_rotation = 0.0005;   // rad/m; loops may lower it (learn_drift)
-  bool learn_drift = true;
-  double steady_drift = 0.003;              // m/m; 0.001 to 0.005 are alike (README.md)
-  double lost_sigma_translation = 1.0;      // m
-  double lost_sigma_rotation = 0.1;         // rad
+  double drift_rotation = 0.0005;   // rad/m; see recalibrate
+  bool recalibrate = true;
   double assumed_sigma_translation = 3.0;   // m
   double assumed_sigma_rotation = 0.15;     // rad
   double measured_sigma_translation = 0.1;  // m
@@ -49,9 +44,6 @@ struct Parameters {
                  "soon as a "
                  "loop with a measured pose is closed, unless all motions lie in the plane or "
                  "their scale is not known."),
-        parameter("online_iterations", &P::online_iterations)
-            .range(1, 100)
-            .doc("Maximal number of iterations of one correction while running."),
         parameter("interval", &P::interval)
             .range(1, 1e6)
             .unit("frames")
@@ -60,9 +52,6 @@ struct Parameters {
             .range(0, 100)
             .unit("frames")
             .doc("Growth of the interval per node, so that the mean time per frame stays bounded."),
-        parameter("solver", &P::solver)
-            .doc("Solver of the least squares: block elimination along the chain, or Ceres as in "
-                 "the paper."),
         parameter("loss", &P::loss).doc("Robust loss of loop links; huber as in the paper."),
         parameter("huber_delta", &P::huber_delta)
             .range(1e-6, 1e9)
@@ -90,26 +79,15 @@ struct Parameters {
             .range(1e-9, 1)
             .unit("rad/m")
             .doc("The same for its rotation."),
-        parameter("learn_drift", &P::learn_drift)
-            .doc("In space, after the last frame: loops may lower drift_rotation, "
-                 "and determine the steady drift, which is the same over the whole path."),
-        parameter("steady_drift", &P::steady_drift)
-            .range(0, 1)
-            .doc("Standard deviation, m per m travelled, of the steady drift along each "
-                 "axis of the camera; 0: there is none."),
-        parameter("lost_sigma_translation", &P::lost_sigma_translation)
-            .range(0, 1e6)
-            .unit("m")
-            .doc("Standard deviation added by a frame without measured motion."),
-        parameter("lost_sigma_rotation", &P::lost_sigma_rotation)
-            .range(0, 10)
-            .unit("rad")
-            .doc("The same for its rotation."),
+        parameter("recalibrate", &P::recalibrate)
+            .doc("Learn from closed loops the steady errors of odometry (gains of distances and "
+                 "turns, turn per second and per metre, in space also drift to the side and in "
+                 "height) and its noise."),
         parameter("assumed_sigma_translation", &P::assumed_sigma_translation)
             .range(1e-6, 1e6)
             .unit("m")
             .doc("Standard deviation of the offset from the experience when a loop "
-                 "has no measured pose."),
+                 "has no measured pose. A frame without measured motion adds a third of it."),
         parameter("assumed_sigma_rotation", &P::assumed_sigma_rotation)
             .range(1e-6, 10)
             .unit("rad")

@@ -91,4 +91,48 @@ Eigen::Matrix<double, kSize, kSize> informationOf(
   return informationOf(covariance, unused);
 }
 
+// Residual of a link between two planar poses (paper, section "Cognitive Map") and its derivatives.
+// Lengths are metres, angles radians.
+
+/// f(e_i, e_j, e_ij) of the paper's section Cognitive Map,
+///
+///   x_j - x_i - d cos(theta_i + heading)
+///   y_j - y_i - d sin(theta_i + heading)
+///   theta_j - theta_i - facing            (wrapped)
+///
+/// rotated by -theta_i into the axes of e_i, in which the covariance is given. If the noise is
+/// isotropic, this rotation does not change the length of the residual. The link's pose is that of
+/// e_j relative to e_i: d and heading are its polar form, facing is its theta.
+Eigen::Vector3d residualOf(const PlanarLink& link, const PlanarPose& from, const PlanarPose& to);
+
+/// Its derivatives with respect to (x, y, theta) of both ends.
+LinkDerivatives<Plane> derivativesOf(const PlanarLink& link, const PlanarPose& from,
+                                     const PlanarPose& to);
+
+/// The pose after a step (m, m, rad).
+PlanarPose moved(const PlanarPose& pose, const Eigen::Vector3d& step);
+
+// Residual of a link between two poses in space and its derivatives.
+
+/// r = log((T_i e_ij)^-1 T_j): the motion from where the link expects `to` to where it is, as a
+/// twist (m, rad) in the tangent space in which the covariance is given. It does not depend on the
+/// world frame.
+Vector6d residualOf(const SpatialLink& link, const Eigen::Isometry3d& from,
+                    const Eigen::Isometry3d& to);
+
+/// dr/d_to = J(r), dr/d_from = -J(r) Ad(T_j^-1 T_i), J: the inverse right Jacobian of SE(3).
+LinkDerivatives<Space> derivativesOf(const SpatialLink& link, const Eigen::Isometry3d& from,
+                                     const Eigen::Isometry3d& to);
+
+/// a followed by b, the counterpart of compose() for planar poses.
+inline Eigen::Isometry3d compose(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return a * b;
+}
+inline Eigen::Isometry3d between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return a.inverse() * b;
+}
+
+/// T * expSe3(step).
+Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Vector6d& step);
+
 }  // namespace tolman::experience_map

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tolman/state_stream.hpp>
 #include <utility>
 
@@ -11,12 +10,9 @@ namespace tolman::experience_map {
 namespace {
 
 constexpr std::string_view kMagic = "TLMEXMAP";
-constexpr std::uint64_t kStateVersion = 3;
+constexpr std::uint64_t kStateVersion = 4;
 /// Bound of counters and stamps: counters are incremented later, stamps subtracted.
 constexpr std::int64_t kMax = std::int64_t{1} << 62U;
-/// Bound of lengths, m: farther than any vehicle drives, and results computed from it are finite.
-/// Covariances are bounded by its square.
-constexpr double kFarthest = 1e9;
 
 void put(StateWriter& writer, const UncertainPose& pose) {
   writer.putAll(std::span<const double>(pose.T.data(), 16));
@@ -30,22 +26,24 @@ UncertainPose getPose(StateReader& reader) {
   return pose;
 }
 
-bool isSound(const UncertainPose& pose) {
-  const Eigen::Matrix3d R = pose.T.linear();
-  return pose.T.matrix().allFinite() && pose.covariance.allFinite() &&
-         pose.T.translation().cwiseAbs().maxCoeff() <= kFarthest &&
-         pose.covariance.cwiseAbs().maxCoeff() <= kFarthest * kFarthest &&
-         (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-6 && R.determinant() > 0 &&
-         pose.T.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
-         pose.covariance.diagonal().minCoeff() >= 0;
+template <class Archive, class Calibration>
+void numbers(Archive archive, Calibration& calibration) {
+  for (int k = 0; k < kSpatialErrors; ++k) archive(calibration.errors[k]);
+  for (int k = 0; k < kSpatialErrors; ++k) archive(calibration.sigmas[k]);
+  archive(calibration.turning);
+  archive(calibration.turning_sigma);
+  archive(calibration.noise_distance);
+  archive(calibration.noise_turns);
 }
 
-bool isSound(const DriftModel& drift) {
-  return drift.rotation >= 0 && drift.rotation <= 1 && drift.steady.allFinite() &&
-         drift.steady.norm() <= 1;
+template <class Archive, class Assumed>
+void factors(Archive archive, Assumed& assumed) {
+  for (auto factor :
+       {&Assumptions::odometry_distance, &Assumptions::odometry_turns, &Assumptions::loop_distance,
+        &Assumptions::loop_turns, &Assumptions::errors}) {
+    archive(assumed.*factor);
+  }
 }
-
-bool isWeight(double weight) { return weight >= 0 && weight <= 1; }
 
 struct SavedFrame {
   ReckonedFrame frame;
@@ -115,7 +113,7 @@ bool areSound(const GrowingList<SavedFrame>& frames, std::size_t anchors) {
     const ReckonedFrame& frame = frames[slot].frame;
     const bool later = slot == 0 || frame.frame > frames[slot - 1].frame.frame;
     if (!later || frame.frame < 0 || frame.frame >= kMax || frame.stamp_ns >= kMax ||
-        frame.stamp_ns <= -kMax || frame.anchor < 0 || !isSound(frames[slot].motion) ||
+        frame.stamp_ns <= -kMax || frame.anchor < 0 ||
         frame.anchor >= static_cast<std::int64_t>(anchors)) {
       return false;
     }
@@ -133,11 +131,7 @@ bool areSound(const GrowingList<Anchor>& anchors, const GrowingList<SavedFrame>&
         i == 0 ? anchor.slot == 0 && !anchor.visit : anchor.slot >= anchors[i - 1].slot;
     const bool known = anchor.visit ? anchor.experience >= 0 && anchor.experience < made
                                     : anchor.experience == -1 || anchor.experience == made;
-    if (!in_order || !isSound({anchor.correction, Matrix6d::Zero()}) || !known ||
-        anchor.slot >= frames.size() || !isWeight(anchor.odometry_weight) ||
-        !isWeight(anchor.offset_weight) || !isSound(anchor.offset)) {
-      return false;
-    }
+    if (!in_order || !known || anchor.slot >= frames.size()) return false;
     if (!anchor.visit && anchor.experience >= 0) ++made;
   }
   return true;
@@ -160,8 +154,9 @@ Status saveMap(const DeadReckoning& motions, const ExperienceChain& chain,
   writer.put(chain.loops());
   writer.put(std::int64_t{chain.pending()});
   writer.put(std::int64_t{motions.isMetric()});
-  writer.put(chain.drift().rotation);
-  writer.putAll(std::span<const double>(chain.drift().steady.data(), 3));
+  numbers([&](double number) { writer.put(number); }, chain.calibration());
+  factors([&](double number) { writer.put(number); }, chain.assumptions());
+  writer.put(static_cast<std::int64_t>(chain.loopsWhenEstimated()));
   return writer.write(stream, kMagic, kStateVersion);
 }
 
@@ -179,14 +174,14 @@ Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& ch
   state.loops = reader.get<std::int64_t>();
   state.pending = reader.get<std::int64_t>() != 0;
   const bool is_metric = reader.get<std::int64_t>() != 0;
-  state.drift.rotation = reader.get<double>();
-  reader.getAll(std::span<double>(state.drift.steady.data(), 3));
+  numbers([&](double& number) { number = reader.get<double>(); }, state.calibration);
+  factors([&](double& number) { number = reader.get<double>(); }, state.assumptions);
+  state.loops_when_estimated = static_cast<std::size_t>(reader.get<std::int64_t>());
   if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
   const bool counted =
       std::ranges::all_of(std::array{version, next_correction, state.links, state.loops},
                           [](std::int64_t number) { return number >= 0 && number < kMax; });
-  if (!counted || !isSound(state.drift) || !areSound(frames, state.anchors.size()) ||
-      !areSound(state.anchors, frames)) {
+  if (!counted || !areSound(frames, state.anchors.size()) || !areSound(state.anchors, frames)) {
     return Status::invalidInput("the saved map is damaged: a number is out of range");
   }
   for (const SavedFrame& saved : frames) motions.restore(saved.frame, saved.motion);

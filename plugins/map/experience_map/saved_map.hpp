@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saves and loads the state of the map. Loading checks that indices are within bounds, numbers
-// finite and rotations orthogonal.
+// Saves and loads the state of the map. Loading checks that indices are within bounds.
 #pragma once
 
 #include <cstddef>

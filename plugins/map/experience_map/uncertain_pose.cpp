@@ -21,15 +21,14 @@ Matrix6d isotropic(double sigma_translation, double sigma_rotation) {
   return variances.asDiagonal();
 }
 
-Eigen::Matrix3d planarCovariance(const Matrix6d& covariance, const Eigen::Matrix3d& R_world_camera,
-                                 double theta) {
+Eigen::Matrix<double, 3, 6> planarProjection(const Eigen::Matrix3d& R_world_camera, double theta) {
   const Eigen::Matrix3d R_level_camera =
       fromPlanar({0, 0, theta}).linear().transpose() * R_world_camera;
   Eigen::Matrix<double, 3, 6> project = Eigen::Matrix<double, 3, 6>::Zero();
   project.row(0).head<3>() = R_level_camera.row(2);   // forward is z
   project.row(1).head<3>() = -R_level_camera.row(0);  // left is -x
   project.row(2).tail<3>() = -R_level_camera.row(1);  // counter-clockwise is about -y
-  return project * covariance * project.transpose();
+  return project;
 }
 
 }  // namespace tolman::experience_map

@@ -3,6 +3,7 @@
 // the covariance through composition, inversion and projection to the plane, to first order.
 #pragma once
 
+#include <path_calibration.hpp>
 #include <tolman/geometry.hpp>
 
 namespace tolman::experience_map {
@@ -15,6 +16,9 @@ struct UncertainPose {
 /// A motion over several frames.
 struct PathMotion : UncertainPose {
   double length = 0;  ///< m driven
+  /// Of the steady errors on its end (path_calibration).
+  Eigen::Matrix<double, 6, kSpatialErrors> effect =
+      Eigen::Matrix<double, 6, kSpatialErrors>::Zero();
 };
 
 /// a followed by b, with independent noises.
@@ -26,9 +30,8 @@ UncertainPose inverse(const UncertainPose& a);
 /// Diagonal covariance of standard deviations in m and rad.
 Matrix6d isotropic(double sigma_translation, double sigma_rotation);
 
-/// The noise (forward, left, counter-clockwise) that a camera with attitude R_world_camera has in
-/// the plane, along the axes of a heading `theta` in that plane.
-Eigen::Matrix3d planarCovariance(const Matrix6d& covariance, const Eigen::Matrix3d& R_world_camera,
-                                 double theta);
+/// What a small motion of a camera with attitude R_world_camera is in the plane: (forward, left,
+/// counter-clockwise), along the axes of a heading `theta` in that plane.
+Eigen::Matrix<double, 3, 6> planarProjection(const Eigen::Matrix3d& R_world_camera, double theta);
 
 }  // namespace tolman::experience_map

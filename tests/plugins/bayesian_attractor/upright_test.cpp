@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The up direction of cameras in any orientation on a vehicle.
-#include "upright.hpp"
-
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "level_step.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

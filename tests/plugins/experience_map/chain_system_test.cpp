@@ -6,8 +6,7 @@
 #include <catch2/catch.hpp>
 #include <tolman/context.hpp>
 
-#include "planar_link.hpp"
-#include "spatial_link.hpp"
+#include "pose_link.hpp"
 
 namespace tolman::experience_map {
 namespace {
@@ -217,7 +216,7 @@ TEMPLATE_TEST_CASE("a bend is taken from the information along the residual, not
   }
 }
 
-TEMPLATE_TEST_CASE("covariances may change, and four right-hand sides are solved at once", "",
+TEMPLATE_TEST_CASE("covariances may change, and six right-hand sides are solved at once", "",
                    Space) {
   RandomProblem<TestType> problem = randomProblem<TestType>(11, 30, {{1, 15}, {4, 28}});
   ChainSystem<TestType> system(problem.nodes.size(), problem.links);
@@ -226,15 +225,15 @@ TEMPLATE_TEST_CASE("covariances may change, and four right-hand sides are solved
   system.takeCovariances(problem.links);
   system.linearise(problem.nodes, problem.links);
   REQUIRE(system.factorise(0));
-  std::vector<Eigen::Matrix<double, 6, 4>> right(problem.nodes.size());
+  std::vector<Eigen::Matrix<double, 6, 6>> right(problem.nodes.size());
   RandomStream random(12);
   for (auto& part : right) {
     for (double& value : part.reshaped()) value = random.normal();
   }
-  std::vector<Eigen::Matrix<double, 6, 4>> x;
-  REQUIRE(system.template solveFor<4>(right, x));
+  std::vector<Eigen::Matrix<double, 6, 6>> x;
+  REQUIRE(system.template solveFor<6>(right, x));
   Dense<TestType> whole = dense(problem, 0);
-  for (int column = 0; column < 4; ++column) {
+  for (int column = 0; column < 6; ++column) {
     for (std::size_t k = 1; k < right.size(); ++k) {
       whole.g.template segment<6>(static_cast<Eigen::Index>(6 * (k - 1))) = right[k].col(column);
     }

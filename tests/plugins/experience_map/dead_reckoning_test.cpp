@@ -78,7 +78,8 @@ TEST_CASE("uncertainty of a way grows with its motions, and most where tracking 
   const double weak_variance = weak.between(0, 2).covariance(2, 2);
   CHECK(sound_variance > 2 * 0.01);
   CHECK(one_motion == Approx(0.01 + std::pow(defaults.drift_translation, 2)));
-  CHECK(weak_variance - sound_variance == Approx(std::pow(defaults.lost_sigma_translation, 2)));
+  CHECK(weak_variance - sound_variance ==
+        Approx(std::pow(defaults.assumed_sigma_translation / 3, 2)));
 }
 
 }  // namespace tolman::experience_map

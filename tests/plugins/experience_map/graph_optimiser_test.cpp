@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The optimum against a dense Gauss-Newton solver with numeric derivatives, written here.
-#include "graph_optimiser.hpp"
-
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <tolman/context.hpp>
+
+#include "optimise_links.hpp"
 
 namespace tolman::experience_map {
 namespace {

@@ -230,7 +230,7 @@ TEST_CASE("after a rejected loop the counts of an update are still those of the 
 }
 
 TEST_CASE("the pose that a frame was given relative to an experience holds for the final map") {
-  const Lap lied = squareLaps(true, {{"interval", std::int64_t{1}}});
+  const Lap lied = squareLaps(true, {{"interval", std::int64_t{1}}, {"recalibrate", false}});
   for (std::size_t k = 0; k < lied.updates.size(); ++k) {
     const MapUpdate& update = lied.updates[k];
     const auto& experience = lied.graph.experiences[static_cast<std::size_t>(update.experience)];

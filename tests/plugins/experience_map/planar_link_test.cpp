@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's residual, its derivatives, and the wrap of angles.
-#include "planar_link.hpp"
-
 #include <catch2/catch.hpp>
 #include <tolman/context.hpp>
+
+#include "pose_link.hpp"
 
 namespace tolman::experience_map {
 namespace {

@@ -84,17 +84,15 @@ ParameterValues in(const char* geometry) { return {{"space", std::string(geometr
 
 TEST_CASE("a hill that is driven again closes in height") {
   const auto truth = hillLaps(3, 0);
-  for (const Solver solver : {Solver::Elimination, Solver::Ceres}) {
-    Fixture spatial({{"solver", std::string(enumName(solver))}});
-    const Heights in_space = drive(truth, spatial, true);
-    CAPTURE(in_space.odometry, in_space.map, in_space.horizontal_map);
-    CHECK(in_space.odometry > 1);
-    CHECK(in_space.map < 0.3 * in_space.odometry);
-    Fixture planar(in("plane"));
-    const Heights in_plane = drive(truth, planar, true);
-    CHECK(in_plane.map == Approx(in_plane.odometry).epsilon(0.01));
-    CHECK(in_space.horizontal_map < 1.1 * in_plane.horizontal_map);
-  }
+  Fixture spatial;
+  const Heights in_space = drive(truth, spatial, true);
+  CAPTURE(in_space.odometry, in_space.map, in_space.horizontal_map);
+  CHECK(in_space.odometry > 1);
+  CHECK(in_space.map < 0.3 * in_space.odometry);
+  Fixture planar(in("plane"));
+  const Heights in_plane = drive(truth, planar, true);
+  CHECK(in_plane.map == Approx(in_plane.odometry).epsilon(0.01));
+  CHECK(in_space.horizontal_map < 1.1 * in_plane.horizontal_map);
 }
 
 TEST_CASE("without loops the map is the odometry, in space as in the plane") {
@@ -158,7 +156,7 @@ TEST_CASE(
   const auto truth = hillLaps(3, 0);
   const auto mapOf = [&](const Eigen::Isometry3d& lean) {
     RandomStream random(5);
-    Fixture fixture;
+    Fixture fixture({{"recalibrate", false}});  // steady errors are along the camera's axes
     fixture.covariance = isotropic(0.02, 0.002);
     fixture.create(Eigen::Isometry3d::Identity());
     const auto in = [&](const Eigen::Isometry3d& motion) { return lean.inverse() * motion * lean; };

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Residuals in space: zero for a link that fits, derivatives against finite differences, and
 // independence of the world frame.
-#include "spatial_link.hpp"
-
 #include <catch2/catch.hpp>
 #include <tolman/context.hpp>
 
-#include "planar_link.hpp"
+#include "pose_link.hpp"
 
 namespace tolman::experience_map {
 namespace {

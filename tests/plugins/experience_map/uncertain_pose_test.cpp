@@ -92,7 +92,8 @@ TEST_CASE("planar covariance is the linearised planar pose of a leaning camera")
   numeric /= kStep;
   const Matrix6d covariance = randomPose(random).covariance;
   const Eigen::Matrix3d expected = numeric * covariance * numeric.transpose();
-  const Eigen::Matrix3d got = planarCovariance(covariance, R, theta_from);
+  const Eigen::Matrix<double, 3, 6> project = planarProjection(R, theta_from);
+  const Eigen::Matrix3d got = project * covariance * project.transpose();
   // The heading's derivative is that of a level camera: right to first order in the lean.
   CHECK((expected - got).norm() < 0.03 * expected.norm());
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Effects of steady errors against path integration with those errors, and what loops say of them.
+#include "path_errors.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bump_network.hpp"
+
+namespace tolman::bayesian_attractor {
+namespace {
+
+constexpr double kSecond = 0.4;  // of a step
+
+/// A side of 40 m in steps of 1 m, then a quarter turn.
+PlanarPose stepOf(int k) { return {1, 0, k % 40 == 39 ? std::acos(-1.0) / 2 : 0.02}; }
+
+Eigen::Matrix3d quiet() { return Eigen::Vector3d(1e-4, 1e-4, 1e-7).asDiagonal(); }
+
+PlanarPose corrected(const PlanarPose& step, const ErrorVector& b) {
+  const Eigen::Vector3d by = effectOf(step, kSecond) * b;
+  return {step.x + by.x(), step.y + by.y(), step.theta + by.z()};
+}
+
+}  // namespace
+
+TEST_CASE("effects of steady errors are the derivatives of path integration") {
+  const ConjunctiveCode code(GridCode(150, 4, 0.005));
+  Bump bump{code.origin()};
+  for (int k = 0; k < 130; ++k) {
+    code.move(bump, stepOf(k), quiet(), {}, {effectOf(stepOf(k), kSecond), {}});
+  }
+  constexpr double kSmall = 1e-6;
+  for (int error = 0; error < kPathErrors; ++error) {
+    Bump wrong{code.origin()};
+    for (int k = 0; k < 130; ++k) {
+      code.move(wrong, corrected(stepOf(k), kSmall * ErrorVector::Unit(error)), quiet());
+    }
+    const Eigen::Vector3d numeric = code.difference(bump.centre, wrong.centre) / kSmall;
+    CAPTURE(error, numeric.transpose(), bump.errors.effect.col(error).transpose());
+    CHECK((numeric - bump.errors.effect.col(error)).norm() < 1e-2 * numeric.norm() + 1e-3);
+  }
+}
+
+TEST_CASE("loops teach a robot that it turns too little, and how well it knows that") {
+  ErrorVector truth = ErrorVector::Zero();
+  truth[2] = 0.003;  // rad/m
+  BumpNetwork network(NetworkSettings{});
+  const ErrorMatrix prior = network.state().path.estimates[0].covariance;
+  std::vector<LearnedPattern> learned;
+  int closed = 0;
+  for (int k = 0; k < 5 * 160; ++k) {
+    // The laps are closed in truth, so the odometry lacks what is missing in it.
+    const PlanarPose step = {1, 0, k % 40 == 39 ? std::acos(-1.0) / 2 : 0};
+    network.integrate({1, 0, step.theta - truth[2]}, quiet(), {}, kSecond);
+    if (k < 160) {
+      learned.push_back(network.currentPattern());
+    } else if (k % 6 == 0) {
+      const auto there = learned[static_cast<std::size_t>(k % 160)];
+      if (network.inject(there, {}, Eigen::Vector3d(0.04, 0.04, 1e-4).asDiagonal()).accepted)
+        ++closed;
+    }
+  }
+  const RunningCalibration& path = network.state().path;
+  const ErrorEstimate& wide = path.estimates[0];
+  // A lap turns by 2 pi, in 64 s and 160 m; loops cannot tell which of them an error grows with.
+  const Eigen::Vector3d lap(2 * std::acos(-1.0), 160 * kSecond, 160);
+  const double missing = lap.dot(path.mixed.mean.head<3>());
+  const double sigma = std::sqrt(lap.dot(wide.covariance.topLeftCorner<3, 3>() * lap));
+  CAPTURE(closed, path.mixed.mean.transpose(), sigma);
+  CHECK(closed > 20);
+  CHECK(missing == Approx(160 * truth[2]).epsilon(0.1));
+  CHECK(sigma < 0.1 * std::sqrt(lap.cwiseAbs2().dot(prior.diagonal().head<3>())));
+  CHECK(std::exp(wide.log_weight) > 0.9);  // it is not well calibrated
+}
+
+TEST_CASE("the gain of distances stays as uncertain as it was, and widens the position") {
+  ErrorEstimate estimate = RunningCalibration::priors()[0];
+  const double before = estimate.covariance(3, 3);
+  ErrorEffect effect = ErrorEffect::Zero();
+  effect(0, 3) = 100;
+  effect(2, 1) = 50;
+  update(estimate, effect, {2, 0, 0.1}, Eigen::Vector3d(1, 1, 1e-4).asDiagonal());
+  CHECK(estimate.mean[3] == 0);
+  CHECK(estimate.covariance(3, 3) == Approx(before));
+  CHECK(estimate.mean[1] == Approx(0.002).epsilon(0.01));
+}
+
+}  // namespace tolman::bayesian_attractor
