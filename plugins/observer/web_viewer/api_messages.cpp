@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "api_messages.hpp"
 
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "base/shortest_path.hpp"
 #include "container.hpp"
+#include "http_response.hpp"
 
 namespace tolman::web_viewer {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -104,6 +113,153 @@ void appendMessages(const Snapshot& snapshot, std::vector<std::string>& messages
     json.update(Json(valueJson(event)));
     messages.push_back(textOf(json));
   }
+}
+
+// Routes through the present map.
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kFarthest = 1e9;  // m; the bound of all positions that are read
+constexpr const char* kForm =
+    "give to=17, an experience, or to=12.5,-30, metres right and forward of the start and, if you "
+    "like, up; from= likewise, or from=here";
+
+ApiAnswer problem(unsigned status, const std::string& text) {
+  return {status, Json({{"error", text}}).dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+template <class T>
+bool parse(std::string_view text, T& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// An end of the route: where the robot is, an experience, or a place.
+struct End {
+  bool is_here = false;
+  std::optional<std::int64_t> experience;
+  Eigen::Vector3d place{0, 0, std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// Without blanks at both ends.
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(' ');
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
+std::optional<End> parseEnd(std::string_view given) {
+  const std::string plain = decodedValue(given);
+  std::string_view text = trimmed(plain);
+  End end;
+  end.is_here = text == "here";
+  if (end.is_here) return end;
+  std::int64_t id = 0;
+  if (parse(text, id)) {
+    end.experience = id;
+    return end;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? text.find(',') : std::string_view::npos;
+    double& metres = end.place[i];
+    if (!parse(trimmed(text.substr(0, comma)), metres) || !(std::abs(metres) <= kFarthest))
+      return {};
+    if (comma == std::string_view::npos) return i > 0 ? std::optional(end) : std::nullopt;
+    text.remove_prefix(comma + 1);
+  }
+  return {};
+}
+
+struct Query {
+  std::optional<End> from = parseEnd("here");
+  std::optional<End> to;
+};
+
+/// Empty for an unknown or repeated key, and for a value that is not an end.
+std::optional<Query> parseQuery(std::string_view text) {
+  Query query;
+  std::set<std::string_view> seen;
+  while (!text.empty()) {
+    const std::string_view part = text.substr(0, text.find('&'));
+    text.remove_prefix(std::min(text.size(), part.size() + 1));
+    const std::size_t equals = part.find('=');
+    const std::string_view key = part.substr(0, equals);
+    if (equals == std::string_view::npos || (key != "from" && key != "to")) return {};
+    if (!seen.insert(key).second) return {};
+    (key == "from" ? query.from : query.to) = parseEnd(part.substr(equals + 1));
+  }
+  return query.from && query.to ? std::optional(query) : std::nullopt;
+}
+
+/// A graph with only the fields that planning uses.
+MapGraph graphOf(const FlatGraph& flat) {
+  MapGraph graph;
+  graph.experiences.resize(flat.experience.size() / 4);
+  for (std::size_t i = 0; i < graph.experiences.size(); ++i) {
+    const float* e = flat.experience.data() + 4 * i;
+    graph.experiences[i].id = static_cast<std::int64_t>(i);
+    graph.experiences[i].T_world_experience.translation() << e[0], e[1], e[2];
+  }
+  graph.links.resize(flat.link_kind.size());
+  for (std::size_t i = 0; i < graph.links.size(); ++i) {
+    Link& link = graph.links[i];
+    link.id = static_cast<std::int64_t>(i);
+    link.from = flat.link[2 * i];
+    link.to = flat.link[2 * i + 1];
+    link.kind = static_cast<LinkKind>(flat.link_kind[i]);
+    link.T_from_to.translation().x() = flat.link_metres[i];
+    link.duration = flat.link_seconds[i];
+    if (flat.link_rejected[i] != 0) graph.rejected.push_back(link.id);
+  }
+  return graph;
+}
+
+/// The experience of the robot. The graph may be some frames older than the pose, so its last
+/// experience is the largest answer.
+std::int64_t here(const MapGraph& graph, const LatestPose& pose) {
+  return std::min(pose.experience, static_cast<std::int64_t>(graph.experiences.size()) - 1);
+}
+
+/// The experience of an end; -1 if there is none.
+std::int64_t chosen(const End& end, const MapGraph& graph, const LatestPose& pose) {
+  if (end.is_here) return here(graph, pose);
+  if (end.experience) return *end.experience;
+  return planning::nearestExperience(planning::connectedTo(graph, here(graph, pose)), end.place);
+}
+
+Json routeJson(const planning::PlannedRoute& route, const MapGraph& graph) {
+  const auto seconds = [&](double value) { return route.times_known ? Json(value) : Json(); };
+  Json legs = Json::array();
+  for (const planning::Leg& leg : route.legs) {
+    const auto& experience = graph.experiences[static_cast<std::size_t>(leg.experience)];
+    const Eigen::Vector3d p = planning::placeOf(experience);
+    legs.push_back({{"experience", leg.experience},
+                    {"right_m", p.x()},
+                    {"forward_m", p.y()},
+                    {"up_m", p.z()},
+                    {"seconds", seconds(leg.seconds)},
+                    {"metres", leg.metres}});
+  }
+  return {
+      {"seconds", seconds(route.seconds())}, {"metres", route.metres()}, {"legs", std::move(legs)}};
+}
+
+}  // namespace
+
+ApiAnswer planAnswer(const FlatGraph& flat, const LatestPose& pose, std::string_view query) {
+  const std::optional<Query> asked = parseQuery(query);
+  if (!asked) return problem(400, kForm);
+  const MapGraph graph = graphOf(flat);
+  if (graph.experiences.empty()) return problem(404, "the map is empty so far");
+  const std::int64_t from = chosen(*asked->from, graph, pose);
+  const std::int64_t to = chosen(*asked->to, graph, pose);
+  const auto route = planning::fastestRoute(graph, from, to);
+  if (!route.isOk()) return problem(404, route.status().message());
+  Json json = {{"frame", flat.header.frame}, {"from", from}, {"to", to}};
+  json.update(routeJson(route.value(), graph));
+  return {200, json.dump()};
 }
 
 }  // namespace tolman::web_viewer

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "flat_graph.hpp"
-#include "latest_pose.hpp"
+#include "event_log.hpp"
+#include "frame_encoder.hpp"
 
 namespace tolman::web_viewer {
 

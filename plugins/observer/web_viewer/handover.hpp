@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "api_messages.hpp"
-#include "flat_graph.hpp"
-#include "frame_copy.hpp"
+#include "frame_encoder.hpp"
 #include "history_row.hpp"
 
 namespace tolman::web_viewer {

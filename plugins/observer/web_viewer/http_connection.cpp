@@ -7,9 +7,8 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <utility>
 
-#include "event_client.hpp"
-#include "live_client.hpp"
-#include "request_check.hpp"
+#include "http_response.hpp"
+#include "socket_client.hpp"
 
 namespace tolman::web_viewer {
 namespace {

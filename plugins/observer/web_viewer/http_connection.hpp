@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "http_response.hpp"
-#include "server_state.hpp"
+#include "server.hpp"
 
 namespace tolman::web_viewer {
 

@@ -9,8 +9,6 @@
 #include "event_log.hpp"
 #include "frame_encoder.hpp"
 #include "handover.hpp"
-#include "message_log.hpp"
-#include "row_store.hpp"
 #include "spool.hpp"
 
 namespace tolman::web_viewer {

@@ -7,6 +7,7 @@
 #include "socket_client.hpp"
 
 namespace tolman::web_viewer {
+
 namespace {
 
 namespace asio = boost::asio;

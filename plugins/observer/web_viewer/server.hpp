@@ -1,18 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The listening socket, and what is sent to all live clients. All functions but the constructor
-// and open() are called in the viewer's thread.
+// State that all connections share, used only in the viewer's thread. Each connection holds a
+// reference.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
-#include "server_state.hpp"
+#include "run_store.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::web_viewer {
+
+class SocketClient;
+
+struct ServerState {
+  ServerState(const JpegOptions& jpeg_options, std::uint64_t spool_bytes, std::size_t most)
+      : store(jpeg_options, spool_bytes), most_clients(most) {}
+
+  RunStore store;
+  std::size_t most_clients;
+  std::size_t connections = 0;      ///< HTTP and live
+  std::set<SocketClient*> clients;  ///< WebSocket clients; each registers itself
+  std::size_t event_clients = 0;    ///< clients of /api/events
+  std::function<void()> refresh;    ///< takes new data before an answer; empty in some tests
+  bool keeps_open = false;          ///< connections are kept after the end of the run
+};
+
+// The listening socket, and what is sent to all live clients. All functions but the constructor
+// and open() are called in the viewer's thread.
 
 struct ListenAddress {
   std::string bind;

@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-#include "server_state.hpp"
+#include "server.hpp"
 
 namespace tolman::web_viewer {
 
@@ -67,6 +67,61 @@ class SocketClient : public std::enable_shared_from_this<SocketClient> {
   bool open_ = false;
   int commands_ = 0;  ///< in the present second
   std::chrono::steady_clock::time_point commands_since_;
+};
+
+// A page that is connected by WebSocket. Only the newest message of each kind is kept for sending,
+// so a slow page misses frames but no rows.
+
+class LiveClient final : public SocketClient {
+ public:
+  LiveClient(boost::beast::tcp_stream&& stream, std::shared_ptr<ServerState> state)
+      : SocketClient(std::move(stream), std::move(state), Messages::Binary) {}
+
+  void newFrame() override;
+  void newGraph() override;
+  void runEnded() override;
+
+ private:
+  void opened() override;
+  bool onCommand(std::string_view command) override;
+  void sendNext() override;
+  std::string frameMessage(bool with_arrays);
+
+  bool wants_arrays_ = true;
+  bool frame_waits_ = false;
+  bool graph_waits_ = false;
+  bool end_waits_ = false;
+  bool end_sent_ = false;
+  std::size_t next_row_ = 0;
+  std::size_t next_event_ = 0;
+  std::int64_t dropped_ = 0;  ///< frames that were replaced before they could be sent
+};
+
+// A program that is connected to /api/events. It gets the newest pose, and every decision, loop and
+// event since it connected, as JSON texts. A slow client misses poses.
+
+class EventClient final : public SocketClient {
+ public:
+  EventClient(boost::beast::tcp_stream&& stream, std::shared_ptr<ServerState> state)
+      : SocketClient(std::move(stream), std::move(state), Messages::Text) {
+    ++this->state().event_clients;
+  }
+  ~EventClient() override { --state().event_clients; }
+  EventClient(const EventClient&) = delete;
+  EventClient& operator=(const EventClient&) = delete;
+
+  void newNumbers() override { sendNext(); }
+  void runEnded() override { sendNext(); }
+
+ private:
+  void opened() override;
+  /// There are no commands.
+  bool onCommand(std::string_view) override { return false; }
+  void sendNext() override;
+
+  std::size_t next_ = 0;         ///< number of the next message of the log
+  std::int64_t sent_pose_ = -1;  ///< frame of the last pose that was sent
+  bool end_sent_ = false;
 };
 
 }  // namespace tolman::web_viewer

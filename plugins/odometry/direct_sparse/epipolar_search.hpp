@@ -3,8 +3,8 @@
 // al., PAMI 2018, section 3.2): search along the epipolar line, then a Gaussian update.
 #pragma once
 
-#include "keyframe.hpp"
 #include "photometric_residual.hpp"
+#include "window.hpp"
 
 namespace tolman::direct_sparse {
 

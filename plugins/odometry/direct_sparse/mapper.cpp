@@ -9,7 +9,7 @@
 
 #include "epipolar_search.hpp"
 #include "marginalisation.hpp"
-#include "monocular_start.hpp"
+#include "tracker.hpp"
 
 namespace tolman::direct_sparse {
 namespace {

@@ -7,11 +7,10 @@
 
 #include "activation.hpp"
 #include "bundle_adjustment.hpp"
-#include "field_decision.hpp"
+#include "disparity_field.hpp"
 #include "point_selection.hpp"
 #include "row_alignment.hpp"
 #include "static_stereo.hpp"
-#include "stereo_check.hpp"
 #include "window.hpp"
 
 namespace tolman::direct_sparse {

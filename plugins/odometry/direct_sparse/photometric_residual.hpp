@@ -9,8 +9,8 @@
 #include <array>
 #include <optional>
 
-#include "keyframe.hpp"
 #include "tolman/camera.hpp"
+#include "window.hpp"
 
 namespace tolman::direct_sparse {
 

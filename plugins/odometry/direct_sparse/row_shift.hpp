@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "disparity_field.hpp"
 #include "pyramid.hpp"
-#include "smooth_field.hpp"
 
 namespace tolman::direct_sparse {
 

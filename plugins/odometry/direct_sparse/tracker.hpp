@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "alignment.hpp"
+#include "tolman/camera.hpp"
+#include "window.hpp"
 
 namespace tolman::direct_sparse {
 
@@ -49,5 +51,16 @@ class Tracker {
   double usual_samples_ = 0;
   double first_rms_ = 0;
 };
+
+// Start of a single camera: assumed depths (1/m) for the first keyframe, against which frames are
+// tracked until their motion has determined the real ones.
+
+/// Assigns each candidate its inverse depth in a street of ground and two side walls. `height`: of
+/// the camera above the ground, m. The shape need only be close enough for tracking; the standard
+/// deviation is half the inverse depth.
+void draftDepths(const CameraRig& rig, double height, Keyframe& keyframe);
+
+/// Makes points at the present depths of all candidates, for tracking; they have no residuals.
+void draftPoints(Keyframe& keyframe);
 
 }  // namespace tolman::direct_sparse

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "tolman/records.hpp"
@@ -28,5 +29,19 @@ Status requireDepth(const Frame& frame, const CameraRig& rig);
 /// at an edge of an object. `fx_baseline`: px m.
 std::vector<float> depthDisparities(const NamedArray& depth,
                                     const std::vector<cv::Point2f>& corners, double fx_baseline);
+
+// Depth images that are no measurement of their frame: a sensor that repeats its last image, or
+// gives one value everywhere.
+
+class FreshDepth {
+ public:
+  enum class Kind { Fresh, Repeated, Constant };
+  /// Of the depth image of the next frame; null: Fresh. Unmeasured values do not count, and an
+  /// image without any other is Fresh.
+  Kind judge(const NamedArray* depth);
+
+ private:
+  std::vector<float> last_;  ///< values of the last image that was not Constant
+};
 
 }  // namespace tolman::feature_stereo

@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "corner_detection.hpp"
-#include "fresh_depth.hpp"
+#include "depth_disparity.hpp"
 #include "parameters.hpp"
 #include "pnp.hpp"
 #include "stereo_matching.hpp"
 #include "tolman/roles.hpp"
 #include "tracking.hpp"
 #include "window.hpp"
-#include "window_refinement.hpp"
 
 namespace tolman::feature_stereo {
 

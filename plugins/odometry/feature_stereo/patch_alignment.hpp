@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "flow_pyramid.hpp"
+#include "tracking.hpp"
 
 namespace tolman::feature_stereo {
 

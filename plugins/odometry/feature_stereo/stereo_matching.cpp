@@ -1,13 +1,120 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row search at half resolution, Lucas-Kanade from there.
+// Sums of absolute differences, for sixteen disparities at once.
 #include "stereo_matching.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
-#include "row_search.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::feature_stereo {
+
+namespace {
+
+constexpr int kRadius = 4;  // px, at half resolution; chosen, not tuned
+constexpr int kSide = 2 * kRadius + 1;
+constexpr int kArea = kSide * kSide;
+using SearchLanes = std::int16_t __attribute__((vector_size(2 * kLanes)));
+using SearchBytes = std::uint8_t __attribute__((vector_size(kLanes)));
+using RowPatch = std::array<std::int16_t, kArea>;
+
+RowPatch cut(const PaddedImage& image, cv::Point centre) {
+  RowPatch patch{};
+  int sum = 0;
+  for (int y = 0; y < kSide; ++y) {
+    const uchar* row = image.at(centre.x - kRadius, centre.y + y - kRadius);
+    for (int x = 0; x < kSide; ++x) {
+      patch[static_cast<std::size_t>(y * kSide + x)] = row[x];
+      sum += row[x];
+    }
+  }
+  const int mean = sum / kArea;
+  for (std::int16_t& value : patch) value = static_cast<std::int16_t>(value - mean);
+  return patch;
+}
+
+TOLMAN_INLINE SearchLanes loadLanes(const uchar* p) {
+  SearchBytes bytes;
+  std::memcpy(&bytes, p, sizeof bytes);
+  return __builtin_convertvector(bytes, SearchLanes);
+}
+
+/// Sums for the patches whose upper left pixels are `corner` and those right of it.
+TOLMAN_WIDE_LANES
+void compareLanes(const std::int16_t* patch, const uchar* corner, std::ptrdiff_t step,
+                  std::int16_t* costs) {
+  SearchLanes sum = {};
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) sum += loadLanes(corner + y * step + x);  // below 2^15
+  }
+  std::int16_t means[kLanes];
+  std::memcpy(means, &sum, sizeof sum);
+  for (std::int16_t& mean : means) mean = static_cast<std::int16_t>(mean / kArea);
+  SearchLanes mean;
+  std::memcpy(&mean, means, sizeof mean);
+  std::int32_t total[kLanes] = {};
+  for (int y = 0; y < kSide; ++y) {
+    SearchLanes row = {};
+    for (int x = 0; x < kSide; ++x) {
+      const SearchLanes difference = loadLanes(corner + y * step + x) - mean - patch[y * kSide + x];
+      row += difference < 0 ? -difference : difference;  // below 9 * 510
+    }
+    std::int16_t lanes[kLanes];
+    std::memcpy(lanes, &row, sizeof row);
+    for (int lane = 0; lane < kLanes; ++lane) total[lane] += lanes[lane];
+  }
+  constexpr int kMost = 32767;  // far above the worst cost that is accepted
+  for (int lane = 0; lane < kLanes; ++lane) {
+    costs[lane] = static_cast<std::int16_t>(std::min(total[lane], kMost));
+  }
+}
+
+/// Whether the cost at `best` is clearly lower than all costs more than 2 px away.
+bool isUnique(const std::vector<int>& costs, std::size_t best) {
+  constexpr double kClearly = 1.15;  // chosen, not tuned
+  for (std::size_t d = 0; d < costs.size(); ++d) {
+    const bool beside = d + 2 >= best && d <= best + 2;
+    if (!beside && costs[d] <= kClearly * costs[best]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+RowSearch::RowSearch(const PaddedImage& left, const PaddedImage& right, int max_disparity)
+    : left_(left), right_(right), max_disparity_(max_disparity) {}
+
+const std::vector<int>& RowSearch::costsAt(cv::Point corner) {
+  costs_.clear();
+  const cv::Rect inside(kRadius, kRadius, left_.width - 2 * kRadius, left_.height - 2 * kRadius);
+  if (!inside.contains(corner)) return costs_;
+  const RowPatch patch = cut(left_, corner);
+  const int most = std::min(max_disparity_, corner.x - kRadius);
+  costs_.resize(static_cast<std::size_t>(most) + 1);
+  for (int d = 0; d <= most; d += kLanes) {
+    // Lanes go to the right, disparities to the left; left of the image the margin is read.
+    std::int16_t lanes[kLanes];
+    compareLanes(patch.data(), right_.at(corner.x - d - (kLanes - 1) - kRadius, corner.y - kRadius),
+                 right_.step, lanes);
+    for (int k = 0; k < kLanes && d + k <= most; ++k) {
+      costs_[static_cast<std::size_t>(d + k)] = lanes[kLanes - 1 - k];
+    }
+  }
+  return costs_;
+}
+
+float RowSearch::find(cv::Point corner) {
+  if (costsAt(corner).empty()) return kNoDisparity;
+  const auto best =
+      static_cast<std::size_t>(std::min_element(costs_.begin(), costs_.end()) - costs_.begin());
+  constexpr int kWorstMean = 20;  // grey levels a pixel; chosen, not tuned
+  if (costs_[best] > kWorstMean * kArea || !isUnique(costs_, best)) return kNoDisparity;
+  return static_cast<float>(best);
+}
+
+// Row search at half resolution, Lucas-Kanade from there.
 
 std::vector<float> matchStereo(const FlowPyramid& left, const FlowPyramid& right,
                                const std::vector<cv::Point2f>& corners,

@@ -1,17 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Recognises streets that are driven in the opposite direction, from the structure that a stereo
-// pair measures along the path: joins its points, searches the stored grids, and measures the pose.
+// Finds the robot on the stored paths when it drives them in the opposite direction: compares the
+// present structure, turned by 180 degrees, with stored grids, and adds up the cost along the path
+// in decreasing order of views.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "backward_search.hpp"
+#include "path_cost.hpp"
 #include "path_steps.hpp"
-#include "pose_agreement.hpp"
+#include "place_search.hpp"
+#include "place_verifier.hpp"
 #include "street_points.hpp"
+#include "structure_grid.hpp"
 
 namespace tolman::view_sequences {
+
+class BackwardSearch {
+ public:
+  explicit BackwardSearch(const SearchSettings& settings);
+
+  /// Adds a view; its index is the number of earlier views. `levels`: its structure, if any. Two
+  /// successive views of the path share one grid, that of the first.
+  void add(const std::optional<StructureLevels>& levels, double path, std::int64_t predecessor);
+  void join(std::int64_t from, std::int64_t to) { cost_.join(from, to); }
+  void beginPass();
+
+  /// One step along the path. `query` is null without structure: all costs are then 0.
+  void step(const StructureQuery* query, double path, double advance);
+  /// The most probable place after a step.
+  std::optional<PlaceCandidate> best() const;
+  /// The grid of a view that has structure.
+  StructureLevels levelsOf(std::int64_t view) const;
+  std::int64_t size() const { return static_cast<std::int64_t>(paths_.size()); }
+
+  void save(StateWriter& writer) const;
+  /// False for a damaged state.
+  bool load(StateReader& reader, std::int64_t views);
+
+ private:
+  bool hasOwnGrid(std::int64_t view) const;
+  bool isAtEnd(std::int64_t view) const;
+  void compareAll(const StructureQuery& query);
+  std::int64_t grids() const { return static_cast<std::int64_t>(cells_.size()) / kCells; }
+  std::span<const std::uint8_t, kCells> grid(std::int64_t index) const;
+
+  SearchSettings settings_;
+  PathCost cost_;
+  std::vector<std::uint8_t> cells_;         ///< kCells for each grid
+  std::vector<std::int32_t> grid_of_view_;  ///< -1: none
+  std::vector<float> paths_;                ///< of each view, m
+  std::int64_t candidates_ = 0;             ///< number of views that are not recent, the first ones
+  std::vector<float> of_grids_;             ///< distances of the compared grids
+  std::vector<float> distances_;            ///< standardised, of the views
+};
+
+// Recognises streets that are driven in the opposite direction, from the structure that a stereo
+// pair measures along the path: joins its points, searches the stored grids, and measures the pose.
 
 /// A stored view that the robot passes in the opposite direction.
 struct BackwardPlace {

@@ -11,6 +11,7 @@
 #include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {
+
 namespace {
 
 constexpr int kCell = 12;  // px of the reduced image; chosen, not tuned

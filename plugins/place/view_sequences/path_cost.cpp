@@ -9,6 +9,7 @@
 #include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {
+
 namespace {
 
 constexpr int kLargestStep = 3;  // views that the recursion moves in a step; chosen, not tuned

@@ -7,8 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "place_probability.hpp"
-#include "usual_distance.hpp"
+#include "path_cost.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {

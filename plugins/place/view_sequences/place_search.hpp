@@ -8,7 +8,6 @@
 
 #include "path_cost.hpp"
 #include "place_codes.hpp"
-#include "statistics.hpp"
 
 namespace tolman::view_sequences {
 

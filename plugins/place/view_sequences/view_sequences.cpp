@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "place_probability.hpp"
+#include "path_cost.hpp"
 #include "tolman/state_stream.hpp"
 
 namespace tolman::view_sequences {

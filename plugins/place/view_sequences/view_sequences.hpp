@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "backward_places.hpp"
-#include "mean_view.hpp"
+#include "edge_grid.hpp"
 #include "parameters.hpp"
 #include "path_steps.hpp"
 #include "place_search.hpp"
