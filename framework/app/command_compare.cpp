@@ -11,7 +11,7 @@
 #include "experiment/comparison_figure.hpp"
 #include "experiment/run_pivot.hpp"
 #include "experiment/tables.hpp"
-#include "record/data_files.hpp"
+#include "record/data_digest.hpp"
 #include "record/output_places.hpp"
 #include "report/raster.hpp"
 

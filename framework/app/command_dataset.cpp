@@ -9,7 +9,7 @@
 #include "config/values.hpp"
 #include "engine/assembly.hpp"
 #include "engine/findings.hpp"
-#include "engine/pair_survey.hpp"
+#include "engine/frame_check.hpp"
 #include "engine/rectified_source.hpp"
 #include "host/stage_artefacts.hpp"
 
@@ -72,12 +72,11 @@ Status lookAtCameras(pipeline::RectifiedSource& source, SourceInfo& info,
   return status;
 }
 
-/// Reads the frames as a run would, and reports how well the rows of the first pairs agree.
-void readFrames(pipeline::RectifiedSource& source, const SourceInfo& info, std::int64_t most,
-                FindingCollector& findings) {
-  constexpr std::int64_t kPairs = 10;  // compared, and read of a source that has no end
-  if (most == 0) most = source.isEndless() ? kPairs : INT64_MAX;
-  imaging::PairSurvey survey;
+/// Reads the frames as a run would, and reports what it would of them.
+void readFrames(pipeline::RectifiedSource& source, std::int64_t most, FindingCollector& findings) {
+  constexpr std::int64_t kOfEndless = 10;
+  if (most == 0) most = source.isEndless() ? kOfEndless : INT64_MAX;
+  imaging::FrameCheck images;
   Status status;
   std::int64_t frames = 0;
   std::int64_t defects = 0;
@@ -85,15 +84,17 @@ void readFrames(pipeline::RectifiedSource& source, const SourceInfo& info, std::
     Frame frame;
     status = source.next(frame);
     if (!status.isOk()) break;
+    if (const auto fault = images.check(frame)) {
+      findings.add({Severity::Warning, "images", *fault, "", Finding::Kind::Contradiction});
+    }
     if (!frame.defect.empty()) ++defects;
-    if (info.rig.isStereo() && survey.pairs() < kPairs) survey.add(frame);
   }
-  if (info.rig.isStereo()) {
-    for (Finding& finding : survey.findings()) findings.add(std::move(finding));
+  if (const std::string rows = images.rowsText(); !rows.empty()) {
+    findings.add({Severity::Note, "images", rows});
   }
   if (defects > 0) {
     findings.add({Severity::Warning, "",
-                  fmt::format("{} of {} frames have no sound image", defects, frames)});
+                  fmt::format("{} of {} frames have no sound images", defects, frames)});
   }
   const bool failed = !status.isOk() && status.code() != StatusCode::EndOfStream;
   findings.add({failed ? Severity::Error : Severity::Note, "",
@@ -123,9 +124,8 @@ bool print(run::Findings& findings, bool json) {
 ExitCode check(const CheckCommand& command, const Invocation& invocation) {
   const auto checked =
       run::require(run::checkSystem(systemOf(command, invocation), run::Scope::Source));
-  pipeline::RectifiedSource source(
-      run::require(host::Instance::create(checked.plugins.front(), "source")),
-      checked.config.rectification, checked.config.images);
+  pipeline::RectifiedSource source(run::instantiate(checked, 0), checked.config.rectification,
+                                   checked.config.images);
   run::RunLog log(invocation.quiet);
   run::StageLogger logger(log, "source");
   run::Findings all;
@@ -145,7 +145,7 @@ ExitCode check(const CheckCommand& command, const Invocation& invocation) {
   if (interrupts.requested()) return ExitCode::Interrupted;
   SourceInfo info;
   if (status.isOk()) status = lookAtCameras(source, info, findings);
-  if (status.isOk()) readFrames(source, info, command.frames, findings);
+  if (status.isOk()) readFrames(source, command.frames, findings);
   if (!print(all, invocation.json)) return ExitCode::Dataset;  // they say why configure() failed
   run::require(status, run::FailureKind::Dataset);
   return ExitCode::Ok;

@@ -11,7 +11,7 @@
 
 #include "app/options.hpp"
 #include "base/shortest_path.hpp"
-#include "record/graph_parts.hpp"
+#include "record/map_file.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::app {

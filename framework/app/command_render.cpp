@@ -12,7 +12,7 @@
 #include "app/rendering.hpp"
 #include "engine/assembly.hpp"
 #include "engine/drive.hpp"
-#include "record/data_files.hpp"
+#include "record/data_digest.hpp"
 
 namespace tolman::app {
 namespace {
@@ -37,7 +37,7 @@ void print(const dataset::RenderOutcome& outcome, const std::string& out, bool c
            double seconds, const Invocation& invocation) {
   const auto& revisits = outcome.revisits;
   const auto same =
-      std::ranges::count(revisits, dataset::Heading::Same, &dataset::Revisit::heading);
+      std::ranges::count(revisits, evaluation::Heading::Same, &evaluation::Revisit::heading);
   const auto opposite = std::ssize(revisits) - same;
   if (invocation.json) {
     const nlohmann::ordered_json json = {{"folder", out},

@@ -5,11 +5,11 @@
 #include <iostream>
 
 #include "app/options.hpp"
-#include "engine/report_files.hpp"
+#include "engine/results.hpp"
 #include "host/child_process.hpp"
 #include "record/export.hpp"
-#include "record/reference.hpp"
 #include "record/run_reader.hpp"
+#include "record/schema.hpp"
 
 namespace tolman::app {
 namespace {

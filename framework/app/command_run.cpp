@@ -9,7 +9,7 @@
 
 #include "app/options.hpp"
 #include "app/summary.hpp"
-#include "engine/page_observer.hpp"
+#include "engine/checked_system.hpp"
 #include "engine/run.hpp"
 #include "record/digest.hpp"
 

@@ -13,7 +13,7 @@
 #include "experiment/planner.hpp"
 #include "experiment/sweep_archive.hpp"
 #include "record/atomic_file.hpp"
-#include "record/data_files.hpp"
+#include "record/data_digest.hpp"
 
 namespace tolman::app {
 namespace {

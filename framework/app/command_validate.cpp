@@ -4,9 +4,8 @@
 #include <iostream>
 
 #include "app/options.hpp"
+#include "conformance/child.hpp"
 #include "conformance/kit.hpp"
-#include "conformance/report_text.hpp"
-#include "conformance/run_check.hpp"
 #include "engine/checked_system.hpp"
 #include "host/manifest.hpp"
 #include "host/remote_plugin.hpp"

@@ -8,7 +8,7 @@
 #include "app/options.hpp"
 #include "app/progress_line.hpp"
 #include "engine/replay_server.hpp"
-#include "engine/terminal.hpp"
+#include "engine/services.hpp"
 
 namespace tolman::app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/parameter_text.hpp"
 #include "config/settings.hpp"
-#include "engine/value_json.hpp"
+#include "engine/provenance.hpp"
 
 namespace tolman::app {
 namespace {

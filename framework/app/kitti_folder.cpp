@@ -38,7 +38,10 @@ bool isOurs(const fs::path& file) {
 /// Ok for an empty folder, and with `replace` for an earlier rendering.
 Status mayBeWritten(const fs::path& folder, bool replace) {
   std::error_code failure;
-  if (fs::is_empty(folder, failure)) return Status::ok();
+  const bool has_others = std::ranges::any_of(
+      fs::directory_iterator(folder, failure),
+      [](const fs::directory_entry& entry) { return entry.path().filename() != kMark; });
+  if (!has_others) return Status::ok();
   if (!replace) {
     return Status::failed(folder.string() +
                           ": is not empty; choose another --out, or give --force to replace an "
@@ -152,13 +155,13 @@ Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
 }
 
 Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
-                               const std::vector<Revisit>& revisits) const {
+                               const std::vector<evaluation::Revisit>& revisits) const {
   if (log.hasTruth()) {
     const Result<std::string> text = record::kittiText(log.truth);
     if (!text.isOk()) return text.status();
-    const Status status =
-        firstFailure({record::writeAtomically(folder_ / "poses.txt", text.value()),
-                      record::writeAtomically(folder_ / "loops.txt", loopsText(revisits))});
+    const Status status = firstFailure(
+        {record::writeAtomically(folder_ / "poses.txt", text.value()),
+         record::writeAtomically(folder_ / "loops.txt", evaluation::loopsText(revisits))});
     if (!status.isOk()) return status;
   }
   const Status calibration =

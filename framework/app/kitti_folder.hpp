@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/loop_truth.hpp"
+#include "evaluation/loops.hpp"
 #include "record/atomic_file.hpp"
 #include "tolman/records.hpp"
 #include "tolman/status.hpp"
@@ -52,7 +52,7 @@ class KittiFolder {
   /// Writes calib.txt (not for cameras without calibration), times.txt, and with complete truth
   /// poses.txt and loops.txt. To be called last: a folder without times.txt is not a data set yet.
   Status writeTexts(const CameraRig& rig, const DriveLog& log,
-                    const std::vector<Revisit>& revisits) const;
+                    const std::vector<evaluation::Revisit>& revisits) const;
 
  private:
   KittiFolder(std::filesystem::path folder, record::FileDescriptor lock)

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "config/json_text.hpp"
-#include "engine/value_json.hpp"
+#include "engine/provenance.hpp"
 
 namespace tolman::app {
 namespace {

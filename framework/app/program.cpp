@@ -15,7 +15,6 @@
 #include "engine/build_info.hpp"
 #include "engine/run.hpp"
 #include "engine/services.hpp"
-#include "engine/terminal.hpp"
 #include "host/plugin_process.hpp"
 #include "record/artefacts.hpp"
 #include "record/atomic_file.hpp"

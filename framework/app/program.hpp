@@ -15,7 +15,7 @@
 namespace CLI {
 class App;
 }
-namespace tolman::run {
+namespace tolman::engine {
 struct Outcome;
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/terminal.hpp"
+#include "engine/services.hpp"
 
 namespace tolman::app {
 namespace {

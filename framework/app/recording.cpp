@@ -15,7 +15,6 @@
 #include "config/text.hpp"
 #include "engine/assembly.hpp"
 #include "host/gate.hpp"
-#include "record/regular_file.hpp"
 
 namespace tolman::app {
 namespace {
@@ -102,7 +101,7 @@ bool isNumber(const std::string& text) {
 /// How a source reads the times in this file: a table whose first line has a column of times, or
 /// one number a line. Empty for another file.
 SourceValues timesIn(const fs::path& file) {
-  std::ifstream stream = record::openRegular(file);
+  std::ifstream stream(file, std::ios::binary);
   std::array<std::string, 3> lines;
   for (std::string& line : lines) {
     if (!std::getline(stream, line)) return {};

@@ -115,7 +115,7 @@ class Rendering {
 
   void writeTexts() {
     if (drive_.hasTruth()) {
-      outcome_.revisits = findRevisits(drive_.truth);
+      outcome_.revisits = evaluation::findRevisits(drive_.truth);
     } else if (source_.info.has_truth) {
       log_.warning("some frames have no true pose: poses.txt and loops.txt are not written");
     }

@@ -27,7 +27,7 @@ struct RenderOutcome {
   bool interrupted = false;
   std::int64_t written = 0;
   std::int64_t left_out = 0;  ///< frames without a sound image; they get no number in the folder
-  std::vector<Revisit> revisits;
+  std::vector<evaluation::Revisit> revisits;
 };
 
 /// Where frames come from.

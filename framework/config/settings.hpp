@@ -136,27 +136,31 @@ struct EvaluationSettings {
 
 /// Keys below `record`.
 struct RecordSettings {
-  int arrays_every = 1;     ///< frames
+  int arrays_every = -1;    ///< frames; -1: record::kAutomatic
   double state_every = 30;  ///< s
   bool replay = false;
   bool report = true;
   static constexpr auto declaration() {
     using S = RecordSettings;
-    return parameters(parameter("arrays_every", &S::arrays_every)
-                          .range(0, 1e6)
-                          .unit("frames")
-                          .doc("Named arrays are recorded every N frames; 0: never."),
-                      parameter("state_every", &S::state_every)
-                          .range(0, 1e6)
-                          .unit("s")
-                          .doc("Time between checkpoints, from which a killed run can be resumed "
-                               "or continued; 0: none."),
-                      parameter("replay", &S::replay)
-                          .doc("Whether the answers of source, odometry and place are recorded bit "
-                               "for bit (answers.bin), so that cells and map can be run on them."),
-                      parameter("report", &S::report)
-                          .doc("Whether the run ends with report.html and its figures; `tolman "
-                               "report` writes them later."));
+    return parameters(
+        parameter("arrays_every", &S::arrays_every)
+            .range(-1, 1e6)
+            .unit("frames")
+            .doc("Named arrays of the cells are recorded every N frames; 0: never. "
+                 "-1: at all of up to 5,000 frames, at every 2nd of up to 10,000, "
+                 "at every 4th of up to 20,000, and so on: a run that goes on "
+                 "removes the others again."),
+        parameter("state_every", &S::state_every)
+            .range(0, 1e6)
+            .unit("s")
+            .doc("Time between checkpoints, from which a killed run can be resumed "
+                 "or continued; 0: none."),
+        parameter("replay", &S::replay)
+            .doc("Whether poses are recorded bit for bit, so that cells and map can be "
+                 "run on the recorded answers of source, odometry and place."),
+        parameter("report", &S::report)
+            .doc("Whether the run ends with report.html and its figures; `tolman "
+                 "report` writes them later."));
   }
 };
 

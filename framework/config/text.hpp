@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "tolman/fields.hpp"
+#include "base/named_value.hpp"
 
 namespace tolman::config {
 
@@ -16,14 +16,7 @@ namespace tolman::config {
 constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// The value of an enumeration by its name, the reverse of enumName(). None if no value has it.
-template <NamedEnum E>
-std::optional<E> valueNamed(std::string_view name) {
-  const std::span<const std::string_view> names = enumNames(E());
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<E>(found - names.begin());
-}
+using tolman::valueNamed;
 
 /// Optimal string alignment distance: insertions, deletions, replacements and swaps of neighbours
 /// that turn one name into the other. Ignores case; '-' equals '_'.

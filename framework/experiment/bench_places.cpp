@@ -10,8 +10,8 @@
 #include <set>
 
 #include "config/values.hpp"
-#include "engine/value_json.hpp"
-#include "evaluation/loop_truth.hpp"
+#include "engine/provenance.hpp"
+#include "evaluation/loops.hpp"
 #include "experiment/place_truth.hpp"
 
 namespace tolman::experiment {
@@ -19,25 +19,25 @@ namespace tolman::experiment {
 namespace {
 
 OppositePlaces::Claim judged(const evaluation::Trajectory& truth, const TurnedAnswer& answer,
-                             const dataset::RevisitRule& rule) {
+                             const evaluation::RevisitRule& rule) {
   const auto pose = [&](std::int64_t image) -> const Eigen::Isometry3d& {
     return truth[static_cast<std::size_t>(image)].T_world_camera;
   };
   const Eigen::Isometry3d claimed = pose(answer.place) * answer.T_place_query;
   const double error = (claimed.translation() - pose(answer.query).translation()).norm();
-  const bool is_opposite = dataset::headingBetween(pose(answer.place), pose(answer.query), rule) ==
-                           dataset::Heading::Opposite;
-  const bool is_there = dataset::isSamePlace(claimed, pose(answer.query), rule);
+  const bool is_opposite = evaluation::headingBetween(pose(answer.place), pose(answer.query),
+                                                      rule) == evaluation::Heading::Opposite;
+  const bool is_there = evaluation::isSamePlace(claimed, pose(answer.query), rule);
   return {answer.query, answer.place, answer.score, error, is_opposite && is_there};
 }
 
 /// The images that return to a place in the opposite direction, but not in the same direction.
 std::set<std::int64_t> findableOf(const evaluation::Trajectory& truth,
-                                  const dataset::RevisitRule& rule) {
+                                  const evaluation::RevisitRule& rule) {
   std::set<std::int64_t> same;
   std::set<std::int64_t> opposite;
-  for (const dataset::Revisit& revisit : dataset::findRevisits(truth, rule)) {
-    (revisit.heading == dataset::Heading::Same ? same : opposite).insert(revisit.frame);
+  for (const evaluation::Revisit& revisit : evaluation::findRevisits(truth, rule)) {
+    (revisit.heading == evaluation::Heading::Same ? same : opposite).insert(revisit.frame);
   }
   for (const std::int64_t image : same) opposite.erase(image);
   return opposite;
@@ -67,7 +67,7 @@ double OppositePlaces::medianError() const {
 
 OppositePlaces judgeOpposite(const evaluation::Trajectory& truth,
                              const std::vector<TurnedAnswer>& answers, double height_m) {
-  dataset::RevisitRule rule;
+  evaluation::RevisitRule rule;
   rule.height_m = height_m;
   OppositePlaces places;
   for (const TurnedAnswer& answer : answers) places.claims.push_back(judged(truth, answer, rule));

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/precision_recall.hpp"
+#include "evaluation/loops.hpp"
 #include "evaluation/trajectory.hpp"
 #include "experiment/bench.hpp"
 #include "tolman/records.hpp"

@@ -17,7 +17,7 @@
 #include "base/bounded_json.hpp"
 #include "base/open_files.hpp"
 #include "base/text_encoding.hpp"
-#include "evaluation/loop_truth.hpp"
+#include "evaluation/loops.hpp"
 #include "report/axes.hpp"
 
 namespace tolman::experiment {
@@ -92,11 +92,11 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file, std::int64_t 
 }
 
 PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m, std::int64_t near) {
-  dataset::RevisitRule rule;
+  evaluation::RevisitRule rule;
   rule.height_m = height_m;
   auto findable = std::make_shared<std::set<std::int64_t>>();
-  for (const dataset::Revisit& revisit : dataset::findRevisits(truth, rule)) {
-    if (revisit.heading == dataset::Heading::Same) findable->insert(revisit.frame);
+  for (const evaluation::Revisit& revisit : evaluation::findRevisits(truth, rule)) {
+    if (revisit.heading == evaluation::Heading::Same) findable->insert(revisit.frame);
   }
   auto poses = std::make_shared<evaluation::Trajectory>(truth);
   auto path = std::make_shared<std::vector<double>>(evaluation::distances(truth));
@@ -106,8 +106,8 @@ PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m, st
     if (between <= rule.path_m) return false;
     const auto& q = (*poses)[static_cast<std::size_t>(query)].T_world_camera;
     const auto& p = (*poses)[static_cast<std::size_t>(place)].T_world_camera;
-    return dataset::isSamePlace(q, p, rule) &&
-           dataset::headingBetween(q, p, rule) == dataset::Heading::Same;
+    return evaluation::isSamePlace(q, p, rule) &&
+           evaluation::headingBetween(q, p, rule) == evaluation::Heading::Same;
   };
   const auto isFindable = [findable, isSame, near](std::int64_t query) {
     if (!findable->contains(query)) return false;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/precision_recall.hpp"
+#include "evaluation/loops.hpp"
 #include "evaluation/trajectory.hpp"
 #include "tolman/status.hpp"
 

@@ -2,6 +2,7 @@
 #include "experiment/point_folder.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,6 @@
 #include "config/values.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
-#include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::experiment {
@@ -122,7 +122,7 @@ PointOutcome writtenOutcome(const Json& json, const fs::path& folder) {
 }
 
 Json readJson(const fs::path& file) {
-  std::ifstream stream = record::openRegular(file);
+  std::ifstream stream(file, std::ios::binary);
   return bounded_json::parse<Json>(stream);
 }
 
@@ -190,7 +190,7 @@ Status writePlanOrder(const fs::path& sweep, const std::vector<PlannedRun>& runs
 
 std::vector<std::string> planOrder(const fs::path& sweep) {
   std::vector<std::string> folders;
-  std::ifstream stream = record::openRegular(sweep / "points.txt");
+  std::ifstream stream(sweep / "points.txt", std::ios::binary);
   for (std::string line; std::getline(stream, line);) folders.push_back(line);
   return folders;
 }

@@ -7,9 +7,9 @@
 #include <variant>
 
 #include "config/values.hpp"
-#include "record/answers_file.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
+#include "record/run_reader.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -59,14 +59,14 @@ std::string configOf(const fs::path& folder, const PlannedRun& point,
   if (!point.front_end_folder.empty()) {
     const PointOutcome front = outcomeOf(sweep / point.front_end_folder);
     if (front.state != PointState::Done ||
-        !record::hasAnswers(sweep / point.front_end_folder / "run")) {
+        !record::canBeReplayed(sweep / point.front_end_folder / "run")) {
       refuse(FailureKind::Dataset, "the run " + point.front_end_folder +
                                        ", which this one needs, is " +
                                        std::string(enumName(front.state)));
     }
   }
   const fs::path answers = sweep / point.answers_folder / "run";
-  replayed = !point.answers_folder.empty() && record::hasAnswers(answers);
+  replayed = !point.answers_folder.empty() && record::canBeReplayed(answers);
   if (!replayed) return (folder / "config.yaml").string();
   const std::string yaml = "extends: [config.yaml, \"" +
                            fs::absolute(options.find_config("experiments/replay")).string() +

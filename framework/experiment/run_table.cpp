@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -14,12 +15,10 @@
 #include "config/loader.hpp"
 #include "config/tree.hpp"
 #include "config/values.hpp"
-#include "engine/run_names.hpp"
+#include "engine/results.hpp"
 #include "experiment/point_folder.hpp"
 #include "experiment/tables.hpp"
 #include "record/digest.hpp"
-#include "record/regular_file.hpp"
-#include "record/run_check.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::experiment {
@@ -47,7 +46,7 @@ bool isNeeded(const std::string& metric) {
 Result<RunRow> readRun(const fs::path& directory) {
   RunRow row;
   row.directory = directory;
-  std::ifstream stream = record::openRegular(directory / "metrics.json");
+  std::ifstream stream(directory / "metrics.json", std::ios::binary);
   const Json metrics = bounded_json::parse<Json>(stream);
   std::error_code ignored;
   if (!metrics.is_object() && !fs::exists(directory, ignored)) {
@@ -74,8 +73,11 @@ Result<RunRow> readRun(const fs::path& directory) {
   if (run.is_object()) {
     flatten(run.value("finish_s", Json()), "finish_s", row.metrics);
     flatten(run.value("exit_code", Json()), "exit_code", row.metrics);
-    if (fs::exists(directory / "config.resolved.yaml", error)) {  // an archive does without
-      if (Status status = record::checkConfig(directory, run); !status.isOk()) return status;
+    if (record::changedResults(directory).contains("config.resolved.yaml")) {
+      return Status::invalidInput(
+          (directory / "config.resolved.yaml").string() +
+          ": has changed since the run was recorded; put it back, or run it "
+          "again");
     }
   }
   row.alignment = metrics.value("alignment", "");
@@ -147,7 +149,7 @@ std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t
 
 /// Reads a table of csvOf(), with the factors between the columns name and alignment.
 Result<std::vector<RunRow>> readCsv(const fs::path& file) {
-  std::ifstream stream = record::openRegular(file);
+  std::ifstream stream(file, std::ios::binary);
   if (!stream.is_open())
     return Status::invalidInput(file.string() + ": not a readable file; check the path");
   const std::string text(std::istreambuf_iterator<char>(stream), {});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,6 @@
 #include "experiment/point_folder.hpp"
 #include "experiment/run_table.hpp"
 #include "record/atomic_file.hpp"
-#include "record/regular_file.hpp"
 
 namespace tolman::experiment {
 
@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 std::map<std::string, record::DataDigest> readKnownData(const std::filesystem::path& sweep) {
   std::map<std::string, record::DataDigest> known;
-  std::ifstream stream = record::openRegular(sweep / "data.json");
+  std::ifstream stream(sweep / "data.json", std::ios::binary);
   const auto json = bounded_json::parse<ordered_json>(stream);
   if (!json.is_object()) return known;
   for (const auto& [path, data] : json.items()) {
@@ -46,7 +46,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string textOf(const fs::path& file) {
-  std::ifstream stream = record::openRegular(file);
+  std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -13,7 +14,6 @@
 #include "config/loader.hpp"
 #include "config/text.hpp"
 #include "config/values.hpp"
-#include "record/regular_file.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::experiment {
@@ -416,7 +416,7 @@ SweepFile readSweep(const std::filesystem::path& file, const config::Environment
   sweep.file = file.string();
   sweep.name = file.stem().string();
   const config::Origin origin = config::Origin::ofFile(file.string());
-  std::ifstream stream = record::openRegular(file);
+  std::ifstream stream(file, std::ios::binary);
   if (!stream.is_open()) {
     problems.push_back({origin, "", config::absence(file, "no such file")});
     return sweep;

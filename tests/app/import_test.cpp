@@ -46,8 +46,7 @@ struct Imported {
   void check(const std::string& source = "kitti", const std::vector<std::string>& more = {}) const {
     INFO(finished.out << finished.err);
     REQUIRE(finished.exit_code == 0);
-    std::vector<std::string> words = {"dataset",  "check", out.string(),
-                                      "--source", source,  "--decode"};
+    std::vector<std::string> words = {"dataset", "check", out.string(), "--source", source};
     words.insert(words.end(), more.begin(), more.end());
     const Finished checked = tolman::test::tolman(words);
     INFO(checked.out << checked.err);

@@ -270,7 +270,7 @@ TEST_CASE("init takes what carries the camera, keeps a file, and prints without 
   const std::string recording = (folder.path() / "sequence").string();
   const Written toy(recording, {"--motion", "toy"});
   REQUIRE(toy.finished.exit_code == 0);
-  CHECK(contains(toy.text, "loop_minimum_travel: 1.5\n"));
+  CHECK(contains(toy.text, "experience_spacing: 0.25\n"));
   CHECK_FALSE(contains(toy.text, "is guessed"));
   const Finished again = tolman::test::tolman({"init", recording, "--out", toy.file.string()});
   CHECK(again.exit_code == 8);

@@ -16,18 +16,6 @@ namespace {
 
 const std::string kPrecious = "years of work\n";
 
-/// The words of a command with the fixture plugins on the search path.
-std::vector<std::string> withPlugins(std::vector<std::string> words) {
-  for (const char* folder : {"steady", "misbehaving"}) {
-    words.insert(words.end(), {"--plugin-path", inBuild("tests/fixtures/plugins/") + folder});
-  }
-  return words;
-}
-
-Finished tolmanWithPlugins(const std::vector<std::string>& words) {
-  return tolman::test::tolman(withPlugins(words));
-}
-
 /// A recorded run, and files of the user beside it.
 struct Desk {
   TemporaryFolder folder;

@@ -12,7 +12,7 @@
 #include "app/painted_source.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "evaluation/trajectory_files.hpp"
-#include "kitti_source.hpp"
+#include "layouts.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
@@ -54,7 +54,7 @@ struct ReadBack {
   std::vector<Frame> frames;
 
   explicit ReadBack(const fs::path& folder, bool colour = false) {
-    image_folders::KittiSource source;
+    image_folders::LayoutSource<image_folders::KittiParameters> source;
     TestContext context({{"path", folder.string()}, {"colour", colour}});
     const Status ready = source.configure(context);
     INFO(ready.message());
@@ -140,7 +140,7 @@ TEST_CASE("a rendered KITTI folder is the folder again") {
     }
     CHECK(a.T_world_camera_truth.isApprox(b.T_world_camera_truth, 1e-9));
   }
-  CHECK(tolman::test::tolman({"dataset", "check", out.string(), "--decode"}).exit_code == 0);
+  CHECK(tolman::test::tolman({"dataset", "check", out.string()}).exit_code == 0);
 }
 
 TEST_CASE("depth maps are 16-bit, metres times 256") {

@@ -21,7 +21,8 @@ TEST_CASE("The configuration that the broken ones extend is valid") {
 TEST_CASE("Misspelt keys are refused with the nearest known name, at every level") {
   CHECK(complaints("typos.yaml") ==
         "broken/typos.yaml:2:1: piepline: unknown key; did you mean 'pipeline'? (keys: name, "
-        "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
+        "seed, threads, on_findings, continue, source, odometry, place, cells, map, observers, "
+        "pipeline, "
         "evaluation, "
         "record, isolation, checks, rectification, images, extends)\n"
         "broken/typos.yaml:3:12: pipeline.mod: unknown key; did you mean 'mode'? (keys: mode, "
@@ -89,7 +90,8 @@ TEST_CASE("Values out of range show the range with its unit; bad choices show th
 TEST_CASE("Missing and malformed stages are refused with a remedy") {
   CHECK(complaints("stages.yaml") ==
         "broken/stages.yaml:1:1: odomtry: unknown key; did you mean 'odometry'? (keys: name, "
-        "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
+        "seed, threads, on_findings, continue, source, odometry, place, cells, map, observers, "
+        "pipeline, "
         "evaluation, "
         "record, isolation, checks, rectification, images, extends)\n"
         "broken/stages.yaml:1:1: source: the stage is missing; add 'source: {plugin: ...}' "

@@ -47,7 +47,7 @@ evaluation:
   segments: auto
   sessions: own
 record:
-  arrays_every: 1
+  arrays_every: -1
   replay: false
   report: true
   state_every: 30

@@ -51,7 +51,7 @@ TEST_CASE("A minimal configuration has the host's defaults and the name of the f
   CHECK(system.config.general.seed == 1);
   CHECK(system.config.pipeline.mode == config::PipelineMode::Lossless);
   CHECK(system.config.evaluation.alignment == config::AlignmentChoice::Auto);
-  CHECK(system.config.record.arrays_every == 1);
+  CHECK(system.config.record.arrays_every == -1);
   CHECK(system.config.stages.size() == 5);
 }
 

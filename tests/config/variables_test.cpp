@@ -59,7 +59,7 @@ TEST_CASE("A quoted variable may be a number, and its origin has the name of the
   CHECK_FALSE(defaults.quoted);
   CHECK(defaults.origin.variables == "A (not set), B (not set)");
   const auto environment = test::environmentOf({{"A", ""}, {"C", "3"}});
-  const config::Node map = read("{${C}: ['${A:-1}${B:-2}${C}']}", environment);
+  const config::Node map = read("{'${C}': ['${A:-1}${B:-2}${C}']}", environment);
   REQUIRE(map.find("${C}") != nullptr);  // keys are not expanded
   CHECK(map.children[0].children[0].text == "123");
   CHECK(map.children[0].children[0].origin.variables == "A (empty), B (not set), C");

@@ -98,7 +98,7 @@ TEST_CASE("a calibration with a key given twice is refused at the second, with e
   CHECK(contains(ran.err, wrong));
 }
 
-TEST_CASE("a corrupt image stops the run with what was done recorded, or is skipped as told") {
+TEST_CASE("a damaged image stops the run with what was done recorded, or its frame is left out") {
   const Damaged data;
   data.truncate("image_0/000003.png");
   const Finished stopped = data.run();
@@ -106,7 +106,7 @@ TEST_CASE("a corrupt image stops the run with what was done recorded, or is skip
   CHECK(stopped.exit_code == 5);
   CHECK(contains(stopped.err, "000003.png"));
   CHECK(readJson(data.out / "run.json")["counters"]["frames"] == 3);
-  const Finished skipped = data.run({"--force", "--set", "source.on_corrupt=skip"});
+  const Finished skipped = data.run({"--force", "--set", "on_findings=continue"});
   INFO(skipped.err);
   CHECK(skipped.exit_code == 0);
   CHECK(readJson(data.out / "run.json")["counters"]["defects"] == 1);

@@ -79,7 +79,7 @@ constexpr std::array kExpected = {
     Expected{"right late", "left and right image do not belong together (differences of", 0.15,
              0.7},
     Expected{"right equals left", "the right image is the left one", 0.15, 0.5},
-    Expected{"right low", "px low; are the images rectified?", 0.15, 0.7},
+    Expected{"right low", "px low; are the images rectified, by", 0.15, 0.7},
     Expected{"right covered", "", 0.15, 0.5},
     Expected{"exchanged", "left and right image are exchanged", 0.15, 0.8},
     Expected{"black", "tracking lost", 0.15, 0.7},

@@ -13,6 +13,9 @@ namespace tolman::test {
 std::vector<std::vector<double>> recordRows(const std::filesystem::path& run,
                                             const std::string& query);
 
+/// The same, as text: cells ended by '|', blobs by hex().
+std::string recordText(const std::filesystem::path& run, const std::string& query);
+
 /// Runs a statement that changes run.sqlite; fails the test where it cannot be run.
 void editRecord(const std::filesystem::path& run, const std::string& statement);
 

@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <thread>
 
 #include "end_to_end/process.hpp"
+#include "end_to_end/record_rows.hpp"
 #include "experiment/motion_folder.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
@@ -41,13 +41,22 @@ struct Recorded {
     return tolman::test::tolman(words(config, out, settings));
   }
   std::string text(const std::string& file) const { return readText(folder.path() / file); }
-  /// answers.bin of a run without its first block, which has the id of the run.
+  /// What a later run replays of this one, bit for bit.
   std::string answers(const std::string& run) const {
-    const std::string file = text(run + "/answers.bin");
-    std::uint64_t size = 0;  // of the first block, after the magic and its tag
-    REQUIRE(file.size() > 32);
-    std::memcpy(&size, file.data() + 16, sizeof size);
-    return file.substr(32 + size);
+    std::string text;
+    for (const char* columns :
+         {"frame, stamp_ns, source_index, has_truth, defect FROM frame",
+          "frame, state, dt, hex(covariance), v, omega, tracked, points_frame, hex(points) FROM "
+          "motion",
+          "announced_at, frame, hex(covariance) FROM motion_revision",
+          "frame, recognition, template_id, score, relative_yaw, has_relative_pose, "
+          "hex(covariance) FROM place",
+          "frame, name, shape, hex(\"values\") FROM array WHERE source = 'sensors'",
+          "frame, of, hex(poses) FROM exact_pose"}) {
+      text += recordText(folder.path() / run, std::string("SELECT ") + columns);
+    }
+    REQUIRE(text.size() > 10000);
+    return text;
   }
 };
 
@@ -137,54 +146,13 @@ TEST_CASE("what cannot be replayed is told with its remedy") {
   REQUIRE(data.run("motion.yaml", "run").exit_code == 0);
   const Finished without = data.run("again.yaml", "again");
   CHECK(without.exit_code == 5);
-  CHECK(contains(without.err, "answers.bin: is not there; record the run with"));
+  CHECK(contains(without.err, "run.sqlite: has no exact poses; record the run with"));
 
   fs::remove_all(data.folder.path() / "run");
   REQUIRE(data.run("motion.yaml", "run", {"record.replay=true"}).exit_code == 0);
   const Finished wrong = data.run("again.yaml", "again", {"odometry.lost=0.1"});
   CHECK(wrong.exit_code == 3);
   CHECK(contains(wrong.err, "lost and carried_at need the motion of the source"));
-
-  std::fstream file(data.folder.path() / "run/answers.bin",
-                    std::ios::in | std::ios::out | std::ios::binary);
-  file.seekp(4000);
-  file.put('x');
-  file.close();
-  const Finished damaged = data.run("again.yaml", "again");
-  CHECK(damaged.exit_code != 0);
-  CHECK(contains(damaged.err, "answers.bin"));
-}
-
-TEST_CASE("files of another run in a run directory are refused") {
-  Recorded data;
-  REQUIRE(data.run("motion.yaml", "run", {"record.replay=true"}).exit_code == 0);
-  REQUIRE(data.run("motion.yaml", "other", {"record.replay=true", "seed=8"}).exit_code == 0);
-  REQUIRE(data.run("motion.yaml", "same", {"record.replay=true"}).exit_code == 0);
-  const fs::path run = data.folder.path() / "run";
-  CHECK(readJson(run / "run.json")["id"] ==
-        readJson(data.folder.path() / "same/run.json")["id"]);  // the same results as well
-  const auto exchanged = [&](const std::string& name, const Words& command) {
-    const fs::path kept = data.folder.path() / "kept";
-    fs::rename(run / name, kept);
-    fs::copy(data.folder.path() / "other" / name, run / name, fs::copy_options::recursive);
-    const Finished finished = tolman::test::tolman(command);
-    INFO(name << ": " << finished.err);
-    CHECK(contains(finished.err, "is of another run than"));
-    CHECK(std::count(finished.err.begin(), finished.err.end(), '\n') == 1);
-    fs::remove_all(run / name);
-    fs::rename(kept, run / name);
-    return finished.exit_code;
-  };
-  const std::string path = run.string();
-  CHECK(exchanged("run.sqlite", {"report", path}) == 5);
-  CHECK(exchanged("run.sqlite", {"export", path}) == 5);
-  Words onward = data.words("motion.yaml", "onward", {});
-  onward.insert(onward.end(), {"--continue", path});
-  CHECK(exchanged("run.sqlite", onward) == 9);
-  CHECK(exchanged("state", onward) == 9);
-  CHECK(exchanged("answers.bin", data.words("again.yaml", "again", {})) == 5);
-  CHECK_FALSE(fs::exists(data.folder.path() / "onward"));
-  CHECK(tolman::test::tolman(onward).exit_code == 0);
 }
 
 TEST_CASE("a run that is made again gives the same bytes, or what has changed is told") {

@@ -33,7 +33,7 @@ void tryImage(std::string_view type, const Message& message) {
     fuzz::require(sum <= 255U * static_cast<unsigned>(row * image.value().height()), "impossible");
   }
   ros_messages::ImageSize depth_size;
-  const auto depth = ros_messages::convertDepth(message, depth_size);
+  const auto depth = ros_messages::convertDepth(std::string(type), message, depth_size);
   if (!depth.isOk()) return;
   for (const float metres : depth.value()) fuzz::require(metres >= 0, "a depth that is none");
 }

@@ -5,12 +5,25 @@
 
 #include <cmath>
 
+#include "data_error.hpp"
 #include "input.hpp"
 
 namespace {
 
 bool isRotation(const Eigen::Matrix3d& R) {
   return (R.transpose() * R).isIdentity(1e-6) && R.determinant() > 0;
+}
+
+void check(const tolman::RawRig& rig, const tolman::camera_files::WantedCameras& wanted) {
+  using tolman::fuzz::require;
+  require(static_cast<int>(rig.cameras.size()) == wanted.count, "missing cameras");
+  for (const tolman::RawCamera& camera : rig.cameras) {
+    require(camera.pinhole.fx > 0 && camera.pinhole.fy > 0, "a camera that is none");
+    require(camera.distortion.allFinite() && std::isfinite(camera.xi),
+            "a distortion that is not finite");
+    require(isRotation(camera.T_reference_camera.linear()), "a pose without rotation");
+    require(isRotation(camera.R_rectified_camera), "a prescribed rotation that is none");
+  }
 }
 
 }  // namespace
@@ -21,18 +34,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const camera_files::WantedCameras wanted :
        {camera_files::WantedCameras{1, 640, 480, 0}, camera_files::WantedCameras{2, 0, 0, 2},
         camera_files::WantedCameras{2, 640, 480, 0}}) {
-    const auto rig = camera_files::readCameras({file.path(), file.path()}, wanted);
-    if (!rig.isOk()) {
-      fuzz::require(!rig.status().message().empty(), "refused without a reason");
-      continue;
-    }
-    fuzz::require(static_cast<int>(rig.value().cameras.size()) == wanted.count, "missing cameras");
-    for (const RawCamera& camera : rig.value().cameras) {
-      fuzz::require(camera.pinhole.fx > 0 && camera.pinhole.fy > 0, "a camera that is none");
-      fuzz::require(camera.distortion.allFinite() && std::isfinite(camera.xi),
-                    "a distortion that is not finite");
-      fuzz::require(isRotation(camera.T_reference_camera.linear()), "a pose without rotation");
-      fuzz::require(isRotation(camera.R_rectified_camera), "a prescribed rotation that is none");
+    try {
+      check(camera_files::readCameras({file.path(), file.path()}, wanted), wanted);
+      const auto rectified = camera_files::readRectified(file.path(), wanted);
+      fuzz::require(rectified.t_left_camera0.allFinite(), "an offset that is not finite");
+      fuzz::require(rectified.rig.baseline >= 0 && rectified.rig.baseline <= 5,
+                    "a baseline out of its limits");
+    } catch (const source_parameters::DataError& error) {
+      fuzz::require(!error.status().message().empty(), "refused without a reason");
     }
   }
   return 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: the lines between the conformance kit and the process of a check. A plugin may write
 // to the same descriptor.
-#include "conformance/protocol.hpp"
+#include "conformance/child.hpp"
 #include "input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

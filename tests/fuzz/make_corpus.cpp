@@ -3,7 +3,6 @@
 // library with a manifest, and databases.
 //   fuzz_make_corpus tests/fuzz/corpus
 #include <elf.h>
-#include <sqlite3.h>
 
 #include <fstream>
 #include <iostream>
@@ -14,7 +13,6 @@
 #include "experience_map.hpp"
 #include "host/calls.hpp"
 #include "host/codec.hpp"
-#include "host/context_message.hpp"
 #include "input.hpp"
 #include "place_replay.hpp"
 #include "seqslam.hpp"
@@ -55,15 +53,18 @@ void writeImages(const fs::path& folder) {
   };
   cv::Mat deep;
   grey.convertTo(deep, CV_16U, 257);
-  write(folder / "png" / "grey", encoded(".png", grey));
-  write(folder / "png" / "colour", encoded(".png", colour));
-  write(folder / "png" / "deep", encoded(".png", deep));
-  write(folder / "png" / "bilevel", encoded(".png", grey, {cv::IMWRITE_PNG_BILEVEL, 1}));
-  write(folder / "jpeg" / "grey", encoded(".jpg", grey, {cv::IMWRITE_JPEG_QUALITY, 50}));
-  write(folder / "jpeg" / "colour", encoded(".jpg", colour, {cv::IMWRITE_JPEG_QUALITY, 50}));
-  write(folder / "jpeg" / "progressive",
+  write(folder / "coded_image" / "png_grey", encoded(".png", grey));
+  write(folder / "coded_image" / "png_colour", encoded(".png", colour));
+  write(folder / "coded_image" / "png_deep", encoded(".png", deep));
+  write(folder / "coded_image" / "png_bilevel",
+        encoded(".png", grey, {cv::IMWRITE_PNG_BILEVEL, 1}));
+  write(folder / "coded_image" / "jpeg_grey",
+        encoded(".jpg", grey, {cv::IMWRITE_JPEG_QUALITY, 50}));
+  write(folder / "coded_image" / "jpeg_colour",
+        encoded(".jpg", colour, {cv::IMWRITE_JPEG_QUALITY, 50}));
+  write(folder / "coded_image" / "jpeg_progressive",
         encoded(".jpg", colour, {cv::IMWRITE_JPEG_PROGRESSIVE, 1, cv::IMWRITE_JPEG_QUALITY, 50}));
-  write(folder / "jpeg" / "restarts",
+  write(folder / "coded_image" / "jpeg_restarts",
         encoded(".jpg", grey, {cv::IMWRITE_JPEG_RST_INTERVAL, 2, cv::IMWRITE_JPEG_QUALITY, 50}));
 }
 
@@ -308,38 +309,6 @@ void writeLibrary(const fs::path& folder) {
   write(folder / "plugin_library" / "two", bytes);
 }
 
-/// Databases of a few tables and rows; small pages, so that changes meet something.
-void writeDatabase(const fs::path& file, const std::string& sql) {
-  const fuzz::ScratchFolder folder;
-  const fs::path made = folder.path() / "run.sqlite";
-  sqlite3* database = nullptr;
-  fuzz::require(sqlite3_open(made.c_str(), &database) == SQLITE_OK, "no database");
-  const std::string all =
-      "PRAGMA page_size = 512; PRAGMA journal_mode = OFF; CREATE TABLE run (key, value); INSERT "
-      "INTO run VALUES ('schema_version', '5'), ('name', 'a run');" +
-      sql;
-  fuzz::require(sqlite3_exec(database, all.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK,
-                "a wrong statement");
-  sqlite3_close(database);
-  std::ifstream stream(made, std::ios::binary);
-  write(file, {std::string(std::istreambuf_iterator<char>(stream), {})});
-}
-
-void writeDatabases(const fs::path& folder) {
-  const fs::path files = folder / "record_file";
-  writeDatabase(files / "run", "");
-  writeDatabase(files / "sessions",
-                "CREATE TABLE session (id, first_frame, name, source);"
-                "INSERT INTO session VALUES (0, 0, 'a', 'b'), (1, 5, 'c', 'd');"
-                "CREATE TABLE timing (frame, stage, duration_ns);"
-                "INSERT INTO timing VALUES (0, 'odometry', 5), (1, 'map', 7);");
-  writeDatabase(files / "arrays",
-                "CREATE TABLE array (frame, source, name, shape, \"values\");"
-                "INSERT INTO array VALUES (0, 'cells', 'x', '2', x'0000000000000000');"
-                "CREATE TABLE array_info (name, kind, unit, doc, population, axes);"
-                "INSERT INTO array_info VALUES ('x', 'values', '', '', '', '[]');");
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -358,6 +327,5 @@ int main(int argc, char** argv) {
   writeAnswers(folder);
   writeCalls(folder);
   writeLibrary(folder);
-  writeDatabases(folder);
   return 0;
 }

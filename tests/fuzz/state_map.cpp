@@ -27,7 +27,7 @@ void drive(Map& map, std::int64_t first, std::int64_t experiences) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::Small<experience_map::ExperienceMap> map({});
-  if (!fuzz::loadState(map.plugin, "TLMEXMAP", 3, {data, size}).isOk()) return 0;
+  if (!fuzz::loadState(map.plugin, "TLMEXMAP", 4, {data, size}).isOk()) return 0;
   fuzz::checkSaved(map.plugin);
   MapGraph graph;
   fuzz::require(map.plugin.graph(graph).isOk(), "no graph of an accepted state");

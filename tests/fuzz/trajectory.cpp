@@ -2,6 +2,7 @@
 // Fuzz target: a trajectory, KITTI or TUM, as `tolman eval` reads it. Accepted ones are scored
 // against a straight drive and against themselves; every error is finite.
 #include "evaluation/metrics.hpp"
+#include "evaluation/plausibility.hpp"
 #include "evaluation/trajectory_files.hpp"
 #include "input.hpp"
 
@@ -19,12 +20,12 @@ Trajectory straight(std::size_t poses) {
   return trajectory;
 }
 
-void score(const Trajectory& truth, const Trajectory& estimate) {
+void scoreAll(const Trajectory& truth, const Trajectory& estimate) {
   for (const Alignment alignment :
        {Alignment::Se3, Alignment::Se2, Alignment::Sim3, Alignment::None}) {
     for (const std::int64_t by : {std::int64_t{-1}, std::int64_t{50'000'000}}) {
-      const TrajectoryMetrics metrics =
-          scoreTrajectory(truth, estimate, alignment, std::nullopt, by);
+      const TrajectoryMetrics metrics = score(truth, estimate, alignment, std::nullopt, by);
+      doubts(truth, estimate, alignment, by);
       tolman::fuzz::require(std::isfinite(metrics.path_length_m), "a length that is not finite");
       if (!metrics.scores) continue;
       tolman::fuzz::require(std::isfinite(metrics.scores->ate_m.rmse), "an ATE that is not finite");
@@ -45,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const TrajectoryPose& pose : read.value()) {
     tolman::fuzz::require(pose.T_world_camera.matrix().allFinite(), "a pose that is not finite");
   }
-  score(straight(read.value().size()), read.value());
-  score(read.value(), read.value());
+  scoreAll(straight(read.value().size()), read.value());
+  scoreAll(read.value(), read.value());
   return 0;
 }

@@ -10,7 +10,7 @@
 #include "handover.hpp"
 #include "http_connection.hpp"
 #include "input.hpp"
-#include "server_state.hpp"
+#include "server.hpp"
 #include "small_plugins.hpp"
 
 namespace tolman::fuzz {

@@ -4,9 +4,9 @@
 // call, the next eight are the size in the message, the rest is the shared memory.
 #include <algorithm>
 
+#include "host/calls.hpp"
+#include "host/channel.hpp"
 #include "host/codec.hpp"
-#include "host/context_message.hpp"
-#include "host/shared_buffer.hpp"
 #include "host/stages.hpp"
 #include "input.hpp"
 #include "small_plugins.hpp"

@@ -3,8 +3,8 @@
 // input chooses the role, the second the call, the rest are its arguments.
 #include <array>
 
-#include "host/call_handlers.hpp"
-#include "host/context_message.hpp"
+#include "host/calls.hpp"
+#include "host/plugin_process.hpp"
 #include "input.hpp"
 
 namespace {

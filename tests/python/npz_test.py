@@ -7,34 +7,16 @@ import os
 import sqlite3
 import subprocess
 import sys
-import time
 import unittest
 import unittest.mock
 
-from support import BUILD, Systems, tolman, write_octagon
+from support import BUILD, Systems, tolman
 
 import numpy as np
 
 from tolman import npz
 from tolman._files import exit_code_of
 from tolman.results import Run
-
-SLOW_CELLS = """
-    import time
-
-    import tolman
-
-    class Slow(tolman.Cells):
-        "Takes 0.05 s a frame."
-
-        def start(self):
-            self.frames = 0
-
-        def step(self, motion, place):
-            time.sleep(0.05)
-            self.frames += 1
-            return tolman.Decision(action="create_experience" if self.frames == 1 else "stay", experience=0, heading=0.0)
-"""
 
 
 class NpzTest(Systems):
@@ -79,6 +61,7 @@ class NpzTest(Systems):
         self.assertEqual(self.run_system().returncode, 0)
         run_continues = sqlite3.connect(self.folder / "run/run.sqlite", isolation_level=None)
         run_continues.execute("PRAGMA journal_mode=WAL")  # as while the run goes on
+        (self.folder / "run/run.json").write_text('{"status": "running"}')
         table = Run.table
 
         def table_before_a_change(run, name):
@@ -91,40 +74,6 @@ class NpzTest(Systems):
         file = np.load(self.folder / "run/run.npz")
         self.assertNotIn(99, file["map_update/experience"])
         self.assertEqual(set(Run(self.folder / "run").map["experience"]), {99})
-
-    def frames_of(self, folder):
-        """How many frames are recorded; 0 while the record is being created."""
-        try:
-            return len(Run(folder).frames)
-        except (FileNotFoundError, sqlite3.OperationalError):
-            return 0
-        except ValueError as error:
-            self.assertIn("begins at this moment", str(error))
-            return 0
-
-    def test_files_of_different_moments_are_told(self):
-        self.assertEqual(self.run_system().returncode, 0)  # of a finished run there is no warning
-        self.assertEqual(tolman("export", self.folder / "run", "--npz").stderr, "")
-        write_octagon(self.folder, frames=2000)
-        self.write("slow.py", SLOW_CELLS)
-        config = self.config(cells="{plugin: python, file: slow.py}")
-        going = subprocess.Popen([BUILD / "bin/tolman", "run", config, "--out", self.folder / "live"],
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            while self.frames_of(self.folder / "live") < 10:
-                self.assertIsNone(going.poll())
-                time.sleep(0.1)
-            for _ in range(50):  # the record grows twice a second
-                done = tolman("export", self.folder / "live", "--npz", "--force", "--out", self.folder / "files")
-                if done.stderr:
-                    break
-        finally:
-            going.kill()
-            going.wait()
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stderr, "live: the run goes on: trajectories and map are of its first [0-9]+ frames")
-        file = np.load(self.folder / "files/run.npz")
-        self.assertEqual(len(file["motion/frame"]), len(file["decision/frame"]))
 
     def test_without_scale_only_lengths_of_odometry_and_map_are_in_units(self):
         self.assertEqual(self.run_system().returncode, 0)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When the field of disparity errors is switched on and off.
-#include "field_decision.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "disparity_field.hpp"
 
 using namespace tolman::direct_sparse;
 

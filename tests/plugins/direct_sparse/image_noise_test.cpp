@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Oracles: noise of known deviation, and the noise that a binomial filter leaves by theory.
-#include "image_noise.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "pyramid.hpp"
 
 using namespace tolman::direct_sparse;
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The assumed scene of a single camera.
-#include "monocular_start.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "mapper.hpp"
 #include "street.hpp"
+#include "tracker.hpp"
 
 using namespace tolman;
 using namespace tolman::direct_sparse;

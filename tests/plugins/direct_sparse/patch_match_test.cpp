@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "patch_match.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "feature_guess.hpp"
 #include "textured_pair.hpp"
 
 using namespace tolman::direct_sparse;

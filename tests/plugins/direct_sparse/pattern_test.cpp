@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Weights of residuals, and the state of a keyframe.
-#include "pattern.hpp"
-
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "keyframe.hpp"
+#include "gradient_samples.hpp"
 #include "street.hpp"
+#include "window.hpp"
 
 using namespace tolman;
 using namespace tolman::direct_sparse;

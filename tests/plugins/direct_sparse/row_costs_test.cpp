@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Costs of a row search against a plain loop.
-#include "row_costs.hpp"
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <vector>
 
+#include "row_alignment.hpp"
 #include "street.hpp"
 
 using namespace tolman;

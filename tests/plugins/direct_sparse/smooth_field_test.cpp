@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smooth_field.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "disparity_field.hpp"
 
 using tolman::direct_sparse::SmoothField;
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Static stereo confirms the right pose and rejects wrong ones.
-#include "stereo_check.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "static_stereo.hpp"
 #include "street.hpp"
 
 using namespace tolman;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth images that repeat, or have one value.
-#include "fresh_depth.hpp"
-
 #include <catch2/catch.hpp>
 #include <limits>
+
+#include "depth_disparity.hpp"
 
 using namespace tolman;
 using feature_stereo::FreshDepth;

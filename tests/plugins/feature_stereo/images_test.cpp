@@ -7,7 +7,6 @@
 #include <set>
 
 #include "corner_detection.hpp"
-#include "row_search.hpp"
 #include "stereo_matching.hpp"
 #include "support/street_scene.hpp"
 #include "tolman/image_cv.hpp"

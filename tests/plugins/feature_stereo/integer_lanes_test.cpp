@@ -8,9 +8,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "corner_detection.hpp"
-#include "corner_response.hpp"
 #include "patch_alignment.hpp"
-#include "row_search.hpp"
+#include "stereo_matching.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::feature_stereo {

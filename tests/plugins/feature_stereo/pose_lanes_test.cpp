@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Four matches at once against one after the other, with project().
-#include "pose_lanes.hpp"
-
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 
+#include "pnp.hpp"
 #include "support/street_scene.hpp"
 
 namespace tolman::feature_stereo {

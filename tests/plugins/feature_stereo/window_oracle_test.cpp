@@ -6,8 +6,8 @@
 #include <Eigen/Cholesky>
 
 #include "plugins/feature_stereo/known_window.hpp"
+#include "window.hpp"
 #include "window_lanes.hpp"
-#include "window_refinement.hpp"
 // After Ceres.
 #include "plugins/feature_stereo/catch_check.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Window book-keeping and its refinement, on windows whose truth is known.
-#include "window_refinement.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "plugins/feature_stereo/known_window.hpp"
+#include "window.hpp"
 
 using namespace tolman;
 using namespace tolman::feature_stereo;

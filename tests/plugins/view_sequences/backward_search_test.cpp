@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stored grids that are passed in the opposite direction are found in decreasing order. Nothing is
 // found on another street, on the recent path, or at the end of the stored path.
-#include "backward_search.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "backward_places.hpp"
 #include "opposite_grids.hpp"
 #include "part_state.hpp"
 

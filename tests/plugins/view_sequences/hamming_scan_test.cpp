@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every version that this processor supports, against bits compared one by one.
-#include "hamming_scan.hpp"
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "place_codes.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mean of a pass: a plain mean at first, then one that follows the light; after a break the old
 // mean has less weight.
-#include "mean_view.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "edge_grid.hpp"
 #include "part_state.hpp"
 #include "random_views.hpp"
 

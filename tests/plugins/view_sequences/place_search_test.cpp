@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "mean_view.hpp"
+#include "edge_grid.hpp"
 #include "part_state.hpp"
 #include "random_views.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Poses measured on a stored path: the right ones are consistent with odometry.
-#include "pose_agreement.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "part_state.hpp"
+#include "place_verifier.hpp"
 
 using namespace tolman;
 using namespace tolman::view_sequences;

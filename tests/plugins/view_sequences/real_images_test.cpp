@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
-#include "evaluation/precision_recall.hpp"
+#include "evaluation/loops.hpp"
 #include "support/data.hpp"
 #include "tolman/image_cv.hpp"
 #include "tour.hpp"

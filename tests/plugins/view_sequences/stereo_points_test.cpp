@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of stereo pairs whose depth is known, and pairs that have none.
-#include "stereo_points.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "street_points.hpp"
 #include "support/gray_images.hpp"
 #include "tolman/context.hpp"
 

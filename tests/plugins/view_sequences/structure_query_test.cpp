@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Comparison of grids in opposite directions, against cosines in double precision.
-#include "structure_query.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "opposite_grids.hpp"
+#include "structure_grid.hpp"
 
 using namespace tolman;
 using namespace tolman::view_sequences;

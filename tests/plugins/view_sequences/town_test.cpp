@@ -84,8 +84,8 @@ TEST_CASE("town: a second pass is recognised by landmarks, to decimetres and as 
 }
 
 TEST_CASE("town: a second pass by night is recognised by the edges around landmarks") {
-  const SecondPass night = driveTwice({{"conditions", std::string("night")},
-                                       {"exposure_ms", std::vector<double>{0.5, 15}}});
+  const SecondPass night = driveTwice(
+      {{"conditions", std::string("night")}, {"exposure_ms", std::vector<double>{0.5, 15}}});
   WARN("town by night: " << night.stored << " views stored, " << night.measured
                          << " poses measured, largest error " << night.largest_error
                          << " m, mean normalised error "

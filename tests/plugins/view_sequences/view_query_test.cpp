@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distances of the present view to stored ones, against sums in double over all pairs of cells.
-#include "view_query.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "place_search.hpp"
 #include "random_views.hpp"
+#include "view_bank.hpp"
 
 using namespace tolman;
 using namespace tolman::view_sequences;

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "browser.hpp"
-#include "message_log.hpp"
+#include "event_log.hpp"
 #include "watched_run.hpp"
 
 namespace tolman::test {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flat graphs: decoded byte by byte they equal the graph.
-#include "flat_graph.hpp"
-
 #include <catch2/catch.hpp>
 #include <numbers>
 
 #include "browser.hpp"
+#include "frame_encoder.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::web_viewer {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Accepted and refused Host and Origin headers.
-#include "request_check.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "http_response.hpp"
 
 namespace tolman::web_viewer {
 

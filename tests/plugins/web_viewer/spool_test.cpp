@@ -4,8 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "row_store.hpp"
-
 namespace tolman::web_viewer {
 namespace {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A file without a name compared with a block of memory: written, read, partly released, removed.
-#include "temporary_file.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -9,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "spool.hpp"
 #include "support/data.hpp"
 #include "tolman/context.hpp"
 
