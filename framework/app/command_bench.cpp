@@ -37,7 +37,7 @@ class PassProgress {
  private:
   std::int64_t most_frames_;
   const Invocation& invocation_;
-  run::SteadyClock clock_;
+  engine::SteadyClock clock_;
   std::unique_ptr<ProgressLine> line_;
 };
 
@@ -45,8 +45,8 @@ class PassProgress {
 template <class Run, class Options, class Text, class Json>
 ExitCode bench(const Run& run, Options options, const Text& text, const Json& json,
                const Invocation& invocation) {
-  const run::Interrupts interrupts;  // before anything that starts threads
-  run::RunLog log(invocation.quiet);
+  const engine::Interrupts interrupts;  // before anything that starts threads
+  engine::RunLog log(invocation.quiet);
   PassProgress progress(options.frames, invocation);
   options.progress = progress.callbacks();
   const auto measured = run(options, log, interrupts);
@@ -111,14 +111,15 @@ struct PlaceFigure {
     if (!file.empty()) refuseExisting({file}, replace, "--figure");
     std::vector<experiment::PlaceCurve> curves;
     for (const std::string& name : beside) {
-      curves.push_back(run::require(experiment::placeCurveOf(name), run::FailureKind::Dataset));
+      curves.push_back(
+          engine::require(experiment::placeCurveOf(name), engine::FailureKind::Dataset));
     }
     return curves;
   }
   void write(const std::vector<experiment::PlaceCurve>& curves) const {
     if (file.empty()) return;
-    run::require(record::writeOutput(file, experiment::placeCurvesFigure(curves)),
-                 run::FailureKind::Record);
+    engine::require(record::writeOutput(file, experiment::placeCurvesFigure(curves)),
+                    engine::FailureKind::Record);
   }
 };
 

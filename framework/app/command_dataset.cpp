@@ -48,8 +48,8 @@ std::string sourceOf(const CheckCommand& command) {
 }
 
 /// The source stage alone.
-run::SystemOptions systemOf(const CheckCommand& command, const Invocation& invocation) {
-  run::SystemOptions options{"", {}, invocation.plugin_paths};
+engine::SystemOptions systemOf(const CheckCommand& command, const Invocation& invocation) {
+  engine::SystemOptions options{"", {}, invocation.plugin_paths};
   options.overrides = {"source.plugin=" + config::writeText(sourceOf(command))};
   if (!command.path.empty()) {
     options.overrides.push_back("source.path=" + config::writeText(command.path));
@@ -61,7 +61,7 @@ run::SystemOptions systemOf(const CheckCommand& command, const Invocation& invoc
 }
 
 /// What a run would say of the cameras before its first frame.
-Status lookAtCameras(pipeline::RectifiedSource& source, SourceInfo& info,
+Status lookAtCameras(engine::RectifiedSource& source, SourceInfo& info,
                      FindingCollector& findings) {
   const Status status = source.info(info);
   if (!status.isOk()) return status;
@@ -73,10 +73,10 @@ Status lookAtCameras(pipeline::RectifiedSource& source, SourceInfo& info,
 }
 
 /// Reads the frames as a run would, and reports what it would of them.
-void readFrames(pipeline::RectifiedSource& source, std::int64_t most, FindingCollector& findings) {
+void readFrames(engine::RectifiedSource& source, std::int64_t most, FindingCollector& findings) {
   constexpr std::int64_t kOfEndless = 10;
   if (most == 0) most = source.isEndless() ? kOfEndless : INT64_MAX;
-  imaging::FrameCheck images;
+  engine::FrameCheck images;
   Status status;
   std::int64_t frames = 0;
   std::int64_t defects = 0;
@@ -102,7 +102,7 @@ void readFrames(pipeline::RectifiedSource& source, std::int64_t most, FindingCol
 }
 
 /// Prints each kind of findings once, with their number. Whether there is no error.
-bool print(run::Findings& findings, bool json) {
+bool print(engine::Findings& findings, bool json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Finding& finding : findings.take()) {
     list.push_back({{"severity", enumName(finding.severity)},
@@ -113,7 +113,7 @@ bool print(run::Findings& findings, bool json) {
   }
   if (json) std::cout << jsonText(list);
   bool sound = true;
-  for (const run::Findings::Kind& kind : findings.takeNewKinds()) {
+  for (const engine::Findings::Kind& kind : findings.takeNewKinds()) {
     sound = sound && kind.first.severity != Severity::Error;
     if (!json) std::cout << fmt::format("{:<8} {}\n", enumName(kind.first.severity), kind.text());
   }
@@ -123,16 +123,16 @@ bool print(run::Findings& findings, bool json) {
 /// Reads the data as a run would, and prints the findings.
 ExitCode check(const CheckCommand& command, const Invocation& invocation) {
   const auto checked =
-      run::require(run::checkSystem(systemOf(command, invocation), run::Scope::Source));
-  pipeline::RectifiedSource source(run::instantiate(checked, 0), checked.config.rectification,
-                                   checked.config.images);
-  run::RunLog log(invocation.quiet);
-  run::StageLogger logger(log, "source");
-  run::Findings all;
-  run::StageFindings findings(all, "source");
+      engine::require(engine::checkSystem(systemOf(command, invocation), engine::Scope::Source));
+  engine::RectifiedSource source(engine::instantiate(checked, 0), checked.config.rectification,
+                                 checked.config.images);
+  engine::RunLog log(invocation.quiet);
+  engine::StageLogger logger(log, "source");
+  engine::Findings all;
+  engine::StageFindings findings(all, "source");
   host::StageArtefacts artefacts;
-  const run::SteadyClock clock;
-  const run::Interrupts interrupts;
+  const engine::SteadyClock clock;
+  const engine::Interrupts interrupts;
   Status status = source.instance().configure({checked.values.at("source"),
                                                logger,
                                                findings,
@@ -147,7 +147,7 @@ ExitCode check(const CheckCommand& command, const Invocation& invocation) {
   if (status.isOk()) status = lookAtCameras(source, info, findings);
   if (status.isOk()) readFrames(source, command.frames, findings);
   if (!print(all, invocation.json)) return ExitCode::Dataset;  // they say why configure() failed
-  run::require(status, run::FailureKind::Dataset);
+  engine::require(status, engine::FailureKind::Dataset);
   return ExitCode::Ok;
 }
 

@@ -37,7 +37,7 @@ void listJson(const host::Catalogue& catalogue) {
 }
 
 void list(Invocation& invocation) {
-  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   if (invocation.json) return listJson(catalogue);
   for (const std::string_view role : kRoleNames) {
     for (const Manifest& m : catalogue.manifests()) {
@@ -65,27 +65,27 @@ struct Description {
 
 /// Opens a library in a process of its own, because it may crash or block.
 auto openApart(const Manifest& manifest) {
-  isolation::LaunchOptions launch{run::SystemOptions{}.stage_program};
+  host::LaunchOptions launch{engine::SystemOptions{}.stage_program};
   launch.deadline_s = 10;  // usually it takes milliseconds
-  return isolation::RemotePlugin::start(manifest, launch);
+  return host::RemotePlugin::start(manifest, launch);
 }
 
-/// Throws run::Failed.
+/// Throws engine::Failed.
 host::LoadedPlugin open(const host::Catalogue& catalogue, const std::string& id) {
-  const auto remote = run::require(openApart(run::require(catalogue.find(id))));
+  const auto remote = engine::require(openApart(engine::require(catalogue.find(id))));
   return {remote->manifest(), nullptr, remote->schema()};
 }
 
 /// All installed plugins that this host can use.
 std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
-  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   std::set<std::string> ids;
   for (const Manifest& manifest : catalogue.manifests()) ids.insert(manifest.id);
   std::vector<host::LoadedPlugin> opened;
   for (const std::string& id : ids) {
     try {
       opened.push_back(open(catalogue, id));
-    } catch (const run::Failed& failed) {
+    } catch (const engine::Failed& failed) {
       std::cerr << "left out: " << failed.what() << "\n";
     }
   }
@@ -98,7 +98,7 @@ void describe(const Description& asked, Invocation& invocation) {
     std::cout << jsonText(fileSchema(openUsable(invocation)));
     return;
   }
-  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   std::vector<host::LoadedPlugin> loaded;
   for (const std::string& id : asked.ids) loaded.push_back(open(catalogue, id));
   if (asked.json_schema) {
@@ -130,7 +130,7 @@ std::optional<Refusal> examine(const Manifest& manifest) {
   std::cout << "gate       passed\n";
   const auto opened = openApart(manifest);
   if (const auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
-  isolation::RemotePlugin& plugin = *std::get<std::shared_ptr<isolation::RemotePlugin>>(opened);
+  host::RemotePlugin& plugin = *std::get<std::shared_ptr<host::RemotePlugin>>(opened);
   std::cout << fmt::format("open       all symbols resolved, {} parameters\n",
                            plugin.schema().size());
   if (const auto refusal = plugin.create()) return *refusal;
@@ -142,21 +142,21 @@ std::optional<Refusal> examine(const Manifest& manifest) {
   return std::nullopt;
 }
 
-/// Manifests of a library, or of a program for an interpreter. Throws run::Failed.
+/// Manifests of a library, or of a program for an interpreter. Throws engine::Failed.
 std::vector<Manifest> manifestsOf(const std::string& file, const Invocation& invocation) {
-  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   const std::string suffix = std::filesystem::path(file).extension();
   const bool is_program = std::ranges::any_of(
       catalogue.interpreters(), [&](const Manifest& m) { return m.programs == suffix; });
-  if (is_program) return {run::require(catalogue.program(file))};
-  return run::require(host::readManifests(file));
+  if (is_program) return {engine::require(catalogue.program(file))};
+  return engine::require(host::readManifests(file));
 }
 
 void doctor(const std::string& file, Invocation& invocation) {
   for (const Manifest& manifest : manifestsOf(file, invocation)) {
     const auto refusal = examine(manifest);
     if (refusal)
-      invocation.exit_code = printFailure(exitCode(run::kindOf(*refusal)), refusal->text());
+      invocation.exit_code = printFailure(exitCode(engine::kindOf(*refusal)), refusal->text());
   }
 }
 

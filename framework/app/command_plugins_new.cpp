@@ -53,7 +53,7 @@ std::string nextCommands(const Request& request, const fs::path& folder,
 /// Refuses the id of a plugin that is on the search path. Two with one id cannot be distinguished:
 /// the first is taken, and in another role its id is refused. A program has the name of its file.
 void refuseTaken(const std::string& name, const Invocation& invocation) {
-  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   const auto& known = catalogue.manifests();
   const auto taken = std::ranges::find(known, name, &host::Manifest::id);
   if (taken == known.end()) return;

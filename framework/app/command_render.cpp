@@ -19,12 +19,12 @@ namespace {
 
 struct RenderCommand {
   Output out;
-  dataset::RenderOptions render;
+  RenderOptions render;
   bool depth = false;
 };
 
 /// Whether the source reads from `out`. Such a folder must not be replaced.
-bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& out) {
+bool readsFrom(const engine::CheckedSystem& system, const std::filesystem::path& out) {
   const ParameterValues& values = system.values.at(system.config.stages.front().instance);
   return std::ranges::any_of(system.plugins.front().schema, [&](const ParameterInfo& info) {
     if (info.type != ParameterType::Path) return false;
@@ -33,8 +33,8 @@ bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& ou
   });
 }
 
-void print(const dataset::RenderOutcome& outcome, const std::string& out, bool calibrated,
-           double seconds, const Invocation& invocation) {
+void print(const RenderOutcome& outcome, const std::string& out, bool calibrated, double seconds,
+           const Invocation& invocation) {
   const auto& revisits = outcome.revisits;
   const auto same =
       std::ranges::count(revisits, evaluation::Heading::Same, &evaluation::Revisit::heading);
@@ -64,47 +64,48 @@ void print(const dataset::RenderOutcome& outcome, const std::string& out, bool c
       "calib.txt", out);
 }
 
-ExitCode execute(RenderCommand command, run::SystemOptions system, const Invocation& invocation) {
+ExitCode execute(RenderCommand command, engine::SystemOptions system,
+                 const Invocation& invocation) {
   const std::string& out = command.out.path;
-  const run::Interrupts interrupts;  // before anything that starts threads
+  const engine::Interrupts interrupts;  // before anything that starts threads
   if (command.depth) system.overrides.emplace_back("source.depth=true");
-  auto checked = run::require(run::checkSystem(system, run::Scope::Source));
+  auto checked = engine::require(engine::checkSystem(system, engine::Scope::Source));
   if (readsFrom(checked, out)) {
     fail(ExitCode::Record, out + ": the source reads from there; choose another --out");
   }
-  run::RunLog log(invocation.quiet);
-  const run::SteadyClock clock;
-  run::Assembly assembly(std::move(checked), log, clock, interrupts);
+  engine::RunLog log(invocation.quiet);
+  const engine::SteadyClock clock;
+  engine::Assembly assembly(std::move(checked), log, clock, interrupts);
   const SourceInfo& info = assembly.sourceInfo();
   if (info.rig.width == 0) {
     fail(ExitCode::Dataset, "the source gives no images; a KITTI folder is made of them");
   }
   if (command.depth) {
     std::vector<ArrayInfo> arrays;
-    run::require(assembly.source().instance().describe(arrays), run::FailureKind::Dataset);
-    command.render.depth = dataset::depthArray(arrays);
+    engine::require(assembly.source().instance().describe(arrays), engine::FailureKind::Dataset);
+    command.render.depth = depthArray(arrays);
     if (command.render.depth.empty()) {
       fail(ExitCode::Dataset, "the source gives no depth maps; leave out --depth");
     }
   }
-  const auto folder = run::require(dataset::KittiFolder::create(out, command.out.replace),
-                                   run::FailureKind::Record);
-  const int threads = pipeline::concurrency(assembly.system().config.general.threads);
+  const auto folder =
+      engine::require(KittiFolder::create(out, command.out.replace), engine::FailureKind::Record);
+  const int threads = engine::concurrency(assembly.system().config.general.threads);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
-  run::StageLogger logger(log, "render");
+  engine::StageLogger logger(log, "render");
   const std::int64_t begin_ns = clock.steadyNs();
   auto progress = std::make_unique<ProgressLine>(std::cerr, clock, terminalOf(invocation),
                                                  framesToCome(command.render.frames, info.frames));
-  const dataset::RenderSource source{[&](Frame& frame) { return assembly.source().next(frame); },
-                                     info, [&] { progress->step(); }};
-  const auto outcome = dataset::render(source, folder, command.render, logger, interrupts);
+  const RenderSource source{[&](Frame& frame) { return assembly.source().next(frame); }, info,
+                            [&] { progress->step(); }};
+  const auto outcome = render(source, folder, command.render, logger, interrupts);
   progress.reset();
   const double seconds = static_cast<double>(clock.steadyNs() - begin_ns) * 1e-9;
   for (const Status& status : assembly.teardown()) logger.warning(status.message());
-  run::require(outcome.folder, run::FailureKind::Record);
+  engine::require(outcome.folder, engine::FailureKind::Record);
   print(outcome, out, info.rig.calibrated, seconds, invocation);
-  run::require(outcome.source, run::FailureKind::Dataset);
+  engine::require(outcome.source, engine::FailureKind::Dataset);
   if (outcome.interrupted) return ExitCode::Interrupted;
   if (outcome.written > 0) return ExitCode::Ok;
   fail(ExitCode::Dataset, "the source gave no frame with a sound image");

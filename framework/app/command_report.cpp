@@ -44,7 +44,7 @@ void report(const ReportCommand& command, const Invocation& invocation) {
   }
   const report::UnitChoice units{command.head_direction - 1, command.grid[0] - 1,
                                  command.grid[1] - 1};
-  printFiles(valueOf(run::writeReport(readers, folder, units)), invocation);
+  printFiles(valueOf(engine::writeReport(readers, folder, units)), invocation);
 }
 
 struct ExportCommand {
@@ -70,11 +70,11 @@ void exportByPython(const std::string& kind, const ExportCommand& asked, const c
   const std::string packages =
       (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
   const fs::path file = asked.folder() / ("run." + kind);
-  isolation::ChildProcess python(
+  host::ChildProcess python(
       {"/usr/bin/env", "-u", "PYTHONHOME", "PYTHONPATH=" + packages, "/usr/bin/python3", "-m",
        "tolman." + kind, "--force", "--quiet", asked.run, file.string()},
       {});
-  const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
+  const host::ProcessEnd end = python.end(std::chrono::hours(24));
   if (end.signal == 0 && end.exit_code == 0) {
     written.push_back(file);
     return;

@@ -25,38 +25,40 @@ struct RunCommand {
   std::string viewer;  ///< id of the observer that --view adds; empty: the first with a page
 };
 
-run::Outcome execute(run::CheckedSystem checked, run::RunOptions options,
-                     const Invocation& invocation, const run::Interrupts& interrupts) {
+engine::Outcome execute(engine::CheckedSystem checked, engine::RunOptions options,
+                        const Invocation& invocation, const engine::Interrupts& interrupts) {
   options.command_line = invocation.command_line;
-  options.exit_code = [](const run::Outcome& o) { return static_cast<int>(exitCode(o)); };
-  run::RunLog log(invocation.quiet);
-  const run::SteadyClock clock;
-  return run::Run(log, clock, interrupts, std::move(options)).execute(std::move(checked));
+  options.exit_code = [](const engine::Outcome& o) { return static_cast<int>(exitCode(o)); };
+  engine::RunLog log(invocation.quiet);
+  const engine::SteadyClock clock;
+  return engine::Run(log, clock, interrupts, std::move(options)).execute(std::move(checked));
 }
 
 ExitCode runSystem(const RunCommand& command, const SystemOptionsReader& reader,
                    const Invocation& invocation) {
-  run::SystemOptions system = reader.read(invocation);
-  const run::Interrupts interrupts;  // before anything that starts threads
+  engine::SystemOptions system = reader.read(invocation);
+  const engine::Interrupts interrupts;  // before anything that starts threads
   if (command.view) {
-    const host::Catalogue catalogue = run::openCatalogue(system.plugin_paths);
-    system.observers.push_back(run::require(run::findPageObserver(catalogue, command.viewer)));
+    const host::Catalogue catalogue = engine::openCatalogue(system.plugin_paths);
+    system.observers.push_back(
+        engine::require(engine::findPageObserver(catalogue, command.viewer)));
   }
-  run::RunOptions options;
+  engine::RunOptions options;
   options.out = command.out.path;
   options.replace = command.out.replace;
   options.resume = reader.resumed();
   return printOutcome(
-      execute(run::require(run::checkSystem(system)), options, invocation, interrupts), invocation);
+      execute(engine::require(engine::checkSystem(system)), options, invocation, interrupts),
+      invocation);
 }
 
 void check(const SystemOptionsReader& reader, bool explain, const Invocation& invocation) {
-  run::SystemOptions system = reader.read(invocation);
+  engine::SystemOptions system = reader.read(invocation);
   system.apart = true;
-  const auto checked = run::require(run::checkSystem(system));
+  const auto checked = engine::require(engine::checkSystem(system));
   const std::string& continued = checked.config.general.continue_from;
   if (!continued.empty()) {  // otherwise it would be refused only when the run begins
-    (void)run::require(record::RunReader::open(continued), run::FailureKind::Continuation);
+    (void)engine::require(record::RunReader::open(continued), engine::FailureKind::Continuation);
   }
   if (explain) {
     std::cout << config::explain(checked.config, checked.values);
@@ -109,7 +111,7 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
 }
 
 ExitCode rerun(const RerunCommand& command, const Invocation& invocation) {
-  const run::Interrupts interrupts;
+  const engine::Interrupts interrupts;
   fs::path before = fs::absolute(command.run).lexically_normal();
   if (!before.has_filename()) before = before.parent_path();
   if (fs::exists(before / "point.json")) before /= "run";  // one run of a sweep
@@ -127,13 +129,13 @@ ExitCode rerun(const RerunCommand& command, const Invocation& invocation) {
                              "the folder that a run has written"));
   }
   if (command.verify) (void)expectedDigests(before);
-  run::SystemOptions system{config.string(), {}, invocation.plugin_paths};
+  engine::SystemOptions system{config.string(), {}, invocation.plugin_paths};
   system.quiet = invocation.quiet;
-  run::RunOptions options;
+  engine::RunOptions options;
   options.out = out;
   options.replace = command.out.replace;
-  const run::Outcome outcome =
-      execute(run::require(run::checkSystem(system)), options, invocation, interrupts);
+  const engine::Outcome outcome =
+      execute(engine::require(engine::checkSystem(system)), options, invocation, interrupts);
   const bool is_whole = !outcome.interrupted && !outcome.failure;
   return command.verify && is_whole ? compare(before, out, invocation)
                                     : printOutcome(outcome, invocation);

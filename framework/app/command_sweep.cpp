@@ -213,7 +213,7 @@ std::vector<std::string> pointCommand(const std::string& program, std::size_t jo
 
 ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, const fs::path& out,
                  const Invocation& invocation) {
-  const run::Interrupts interrupts;
+  const engine::Interrupts interrupts;
   const auto words = pointCommand("/proc/self/exe", command.jobs, command.retry, invocation);
   experiment::JobsState state;
   {

@@ -38,13 +38,15 @@ void warnOfUnfinished(const fs::path& sweep) {
 
 void runPoint(const std::string& folder, experiment::PointRunOptions& options,
               Invocation& invocation) {
-  const run::Interrupts interrupts;
+  const engine::Interrupts interrupts;
   options.plugin_paths = invocation.plugin_paths;
   options.command_line = invocation.command_line;
   options.quiet = invocation.quiet;
   options.find_config = configFile;
-  options.exit_code = [](const run::Outcome& o) { return static_cast<int>(exitCode(o)); };
-  options.failure_code = [](const run::Failure& f) { return static_cast<int>(exitCode(f.kind)); };
+  options.exit_code = [](const engine::Outcome& o) { return static_cast<int>(exitCode(o)); };
+  options.failure_code = [](const engine::Failure& f) {
+    return static_cast<int>(exitCode(f.kind));
+  };
   const auto outcome = experiment::runPoint(folder, options, interrupts);
   if (!outcome.message.empty()) std::cerr << outcome.message << "\n";
   invocation.exit_code = static_cast<ExitCode>(outcome.exit_code);
@@ -125,11 +127,11 @@ void archive(const ArchiveCommand& command, const Invocation& invocation) {
   if (files.path().empty()) fail(ExitCode::Record, host::kNoScratchFolder);
   failUnless(experiment::writeSweepArchive(from, files.path() / from.filename()));
   const fs::path partial = file.string() + ".partial";
-  isolation::ChildProcess tar(
+  host::ChildProcess tar(
       {"/usr/bin/env", "tar", "--sort=name", "--owner=0", "--group=0", "--mtime=@0", "-C",
        files.path().string(), "-czf", partial.string(), from.filename().string()},
       {});
-  const isolation::ProcessEnd end = tar.end(std::chrono::hours(24));
+  const host::ProcessEnd end = tar.end(std::chrono::hours(24));
   std::error_code error;
   const bool is_written = end.signal == 0 && end.exit_code == 0;
   if (is_written) fs::rename(partial, file, error);

@@ -21,13 +21,13 @@ using conformance::KitOptions;
 /// The program of the file, opened in a process of its own: only then is its role known.
 host::OrRefusal<std::vector<host::Manifest>> programIn(const KitOptions& options,
                                                        const Invocation& invocation) {
-  const auto found = run::openCatalogue(invocation.plugin_paths).program(options.file);
+  const auto found = engine::openCatalogue(invocation.plugin_paths).program(options.file);
   if (const auto* refusal = std::get_if<host::Refusal>(&found)) return *refusal;
-  isolation::LaunchOptions launch{run::SystemOptions{}.stage_program};
+  host::LaunchOptions launch{engine::SystemOptions{}.stage_program};
   launch.deadline_s = options.timeout;
-  auto opened = isolation::RemotePlugin::start(std::get<host::Manifest>(found), launch);
+  auto opened = host::RemotePlugin::start(std::get<host::Manifest>(found), launch);
   if (const auto* refusal = std::get_if<host::Refusal>(&opened)) return *refusal;
-  return std::vector{std::get<std::shared_ptr<isolation::RemotePlugin>>(opened)->manifest()};
+  return std::vector{std::get<std::shared_ptr<host::RemotePlugin>>(opened)->manifest()};
 }
 
 /// The plugins of the file that are asked for: all, or the one of --id.
@@ -66,7 +66,7 @@ ExitCode codeOf(const ConformanceReport& report) {
 
 void validate(KitOptions options, Invocation& invocation) {
   if (host::ScratchFolder("tolman-validate").path().empty()) {
-    throw run::Failed({run::FailureKind::Record, host::kNoScratchFolder});
+    throw engine::Failed({engine::FailureKind::Record, host::kNoScratchFolder});
   }
   const auto print = [&](const conformance::CheckResult& result) {
     const bool fault = result.severity() >= CheckSeverity::Warning;
@@ -77,7 +77,7 @@ void validate(KitOptions options, Invocation& invocation) {
   std::vector<ConformanceReport> reports;
   const auto found = wanted(options, invocation);
   if (const auto* refusal = std::get_if<host::Refusal>(&found)) {
-    if (refusal->id == host::kNoProcess) run::require(found);
+    if (refusal->id == host::kNoProcess) engine::require(found);
     reports.push_back(refused(options, *refusal));
     print(reports.back().checks.back());
   } else {

@@ -36,11 +36,11 @@ void printAddress(const std::string& url, bool hint, const Invocation& invocatio
             << " HOST, then open http://localhost:" << port << "/" << std::endl;
 }
 
-void view(const run::ReplayOptions& options, bool hint, const Invocation& invocation) {
-  const run::Interrupts interrupts;  // before anything that starts threads
-  const run::SteadyClock clock;
+void view(const engine::ReplayOptions& options, bool hint, const Invocation& invocation) {
+  const engine::Interrupts interrupts;  // before anything that starts threads
+  const engine::SteadyClock clock;
   std::unique_ptr<ProgressLine> progress;
-  const run::ReplayListener listener{
+  const engine::ReplayListener listener{
       [&](const std::string& url) { printAddress(url, hint, invocation); },
       [&](std::int64_t frames) {
         progress = std::make_unique<ProgressLine>(std::cerr, clock, terminalOf(invocation), frames);
@@ -50,10 +50,10 @@ void view(const run::ReplayOptions& options, bool hint, const Invocation& invoca
       },
       [&] { progress.reset(); },
       [&](const std::string& text) {
-        if (!invocation.quiet) std::cerr << run::wipedLine(STDERR_FILENO) + text + "\n";
+        if (!invocation.quiet) std::cerr << engine::wipedLine(STDERR_FILENO) + text + "\n";
       }};
-  run::RunLog log;
-  run::ReplayServer(options, log, clock, interrupts, listener).serve();
+  engine::RunLog log;
+  engine::ReplayServer(options, log, clock, interrupts, listener).serve();
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ void view(const run::ReplayOptions& options, bool hint, const Invocation& invoca
 void addViewCommand(CLI::App& app, Invocation& invocation) {
   CLI::App& command =
       *app.add_subcommand("view", "Show a run in the browser (finished, running or killed)");
-  auto options = std::make_shared<run::ReplayOptions>();
+  auto options = std::make_shared<engine::ReplayOptions>();
   auto no_hint = std::make_shared<bool>(false);
   auto no_images = std::make_shared<bool>(false);
   addArgument(command, "run", options->run, "RUN", "Run directory");

@@ -65,7 +65,7 @@ std::string description(const ParameterInfo& info) {
 Json propertySchema(const ParameterInfo& info) {
   Json schema = valueSchema(info);
   schema["description"] = description(info);
-  if (!info.required) schema["default"] = run::valueJson(info.default_value);
+  if (!info.required) schema["default"] = engine::valueJson(info.default_value);
   return schema;
 }
 

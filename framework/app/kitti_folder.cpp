@@ -10,7 +10,7 @@
 
 #include "record/pose_files.hpp"
 
-namespace tolman::dataset {
+namespace tolman::app {
 namespace fs = std::filesystem;
 
 namespace {
@@ -171,4 +171,4 @@ Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
       {calibration, record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
 }
 
-}  // namespace tolman::dataset
+}  // namespace tolman::app

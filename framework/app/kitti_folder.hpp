@@ -12,7 +12,7 @@
 #include "tolman/records.hpp"
 #include "tolman/status.hpp"
 
-namespace tolman::dataset {
+namespace tolman::app {
 
 /// The data for times.txt, poses.txt and loops.txt; one entry per image.
 struct DriveLog {
@@ -63,4 +63,4 @@ class KittiFolder {
   record::FileDescriptor lock_;
 };
 
-}  // namespace tolman::dataset
+}  // namespace tolman::app

@@ -107,12 +107,12 @@ void SystemOptionsReader::addContinue() {
   }
 }
 
-run::SystemOptions SystemOptionsReader::read(const Invocation& invocation, Use use) const {
+engine::SystemOptions SystemOptionsReader::read(const Invocation& invocation, Use use) const {
   if (config_.empty() && resume_.empty()) {
     throw CLI::RequiredError("a configuration, or --resume,");
   }
-  run::SystemOptions options{resume_.empty() ? configFile(config_) : resumedConfig(), overrides_,
-                             invocation.plugin_paths};
+  engine::SystemOptions options{resume_.empty() ? configFile(config_) : resumedConfig(), overrides_,
+                                invocation.plugin_paths};
   options.quiet = invocation.quiet;
   options.find_shipped = shippedConfig;
   if (resume_.empty()) options = withRecording(std::move(options), invocation, use);

@@ -73,7 +73,7 @@ class SystemOptionsReader {
 
   /// The run directory that --resume names; empty when there is none.
   const std::string& resumed() const { return resume_; }
-  run::SystemOptions read(const Invocation& invocation, Use use = Use::Run) const;
+  engine::SystemOptions read(const Invocation& invocation, Use use = Use::Run) const;
 
  private:
   std::string resumedConfig() const;

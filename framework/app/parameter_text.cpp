@@ -21,7 +21,7 @@ std::string_view typeName(const ParameterInfo& info) {
 }
 
 std::string defaultText(const ParameterInfo& info) {
-  return info.required ? "required" : config::jsonText(run::valueJson(info.default_value));
+  return info.required ? "required" : config::jsonText(engine::valueJson(info.default_value));
 }
 
 /// The stage of a configuration that uses the plugin, with the parameters that have no default.
@@ -104,7 +104,7 @@ nlohmann::ordered_json parametersJson(const host::LoadedPlugin& plugin) {
   for (const ParameterInfo& p : plugin.schema) {
     nlohmann::ordered_json one = {{"name", p.name},
                                   {"type", typeName(p)},
-                                  {"default", run::valueJson(p.default_value)},
+                                  {"default", engine::valueJson(p.default_value)},
                                   {"required", p.required},
                                   {"unit", p.unit},
                                   {"doc", p.doc}};

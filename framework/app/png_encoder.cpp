@@ -7,7 +7,7 @@
 
 #include "app/kitti_folder.hpp"
 
-namespace tolman::dataset {
+namespace tolman::app {
 namespace {
 
 /// `stride`: components from row to row.
@@ -53,4 +53,4 @@ Result<std::string> encodeDepthPng(const NamedArray& depth) {
   return encode(PNG_FORMAT_LINEAR_Y, depth.shape[1], depth.shape[0], pixels.data(), depth.shape[1]);
 }
 
-}  // namespace tolman::dataset
+}  // namespace tolman::app

@@ -32,7 +32,8 @@ void addExamples(CLI::App& app, const std::string& command) {
 
 /// `help`, which wordsOf() has replaced before anything is parsed, and `version`.
 void addWordCommands(CLI::App& app, const Invocation& invocation) {
-  const std::string version = std::string("tolman ") + run::kVersion + " (" + run::kRevision + ")";
+  const std::string version =
+      std::string("tolman ") + engine::kVersion + " (" + engine::kRevision + ")";
   app.set_version_flag("--version", version);
   app.add_subcommand("help", "The options of a command; same as COMMAND --help")
       ->add_option("command", "Command, such as run or plugins describe")
@@ -40,8 +41,8 @@ void addWordCommands(CLI::App& app, const Invocation& invocation) {
       ->expected(0, -1);
   app.add_subcommand("version", "Version of the program; same as --version")
       ->callback([&invocation, version] {
-        const nlohmann::ordered_json json = {{"version", run::kVersion},
-                                             {"revision", run::kRevision}};
+        const nlohmann::ordered_json json = {{"version", engine::kVersion},
+                                             {"revision", engine::kRevision}};
         std::cout << (invocation.json ? jsonText(json) : version + "\n");
       });
 }
@@ -52,11 +53,11 @@ void addStageCommand(CLI::App& app) {
   auto descriptors = std::make_shared<std::vector<int>>();
   command->add_option("descriptors", *descriptors)->required()->expected(5);
   command->callback([descriptors] {
-    const run::SteadyClock clock;
-    isolation::runPluginProcess(
-        *descriptors, {clock, [](const auto& directory, const auto& instance) {
-                         return std::make_unique<record::ArtefactFolder>(directory, instance);
-                       }});
+    const engine::SteadyClock clock;
+    host::runPluginProcess(*descriptors, {clock, [](const auto& directory, const auto& instance) {
+                                            return std::make_unique<record::ArtefactFolder>(
+                                                directory, instance);
+                                          }});
   });
 }
 
@@ -101,7 +102,7 @@ ExitCode parse(CLI::App& app, std::vector<std::string> words, const Invocation& 
     return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
   } catch (const CLI::Error& error) {  // of fail()
     return printFailure(static_cast<ExitCode>(error.get_exit_code()), error.what());
-  } catch (const run::Failed& failed) {
+  } catch (const engine::Failed& failed) {
     return printFailure(exitCode(failed.failure.kind), failed.what());
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string path = error.path1().string();
@@ -116,18 +117,18 @@ ExitCode parse(CLI::App& app, std::vector<std::string> words, const Invocation& 
 
 }  // namespace
 
-ExitCode exitCode(run::FailureKind kind) {
+ExitCode exitCode(engine::FailureKind kind) {
   constexpr std::array kCodes = {ExitCode::Configuration, ExitCode::Plugin,     ExitCode::Dataset,
                                  ExitCode::PluginFailed,  ExitCode::Record,     ExitCode::Session,
                                  ExitCode::Internal,      ExitCode::Interrupted};
-  static_assert(kCodes.size() == run::kFailureKindNames.size());
+  static_assert(kCodes.size() == engine::kFailureKindNames.size());
   return kCodes.at(static_cast<std::size_t>(kind));
 }
 
-ExitCode exitCode(const run::Outcome& outcome) {
+ExitCode exitCode(const engine::Outcome& outcome) {
   if (outcome.failure) return exitCode(outcome.failure->kind);
   if (outcome.interrupted) return ExitCode::Interrupted;
-  const pipeline::RunCounters& n = outcome.counters;
+  const engine::RunCounters& n = outcome.counters;
   return n.lost_at_end || n.neverTracked() ? ExitCode::TrackingLost : ExitCode::Ok;
 }
 
@@ -170,7 +171,7 @@ int runProgram(const std::vector<std::string>& command_line) {
 }
 
 ExitCode printFailure(ExitCode code, const std::string& message) {
-  std::cerr << run::wipedLine(STDERR_FILENO) + run::printable(message) +
+  std::cerr << engine::wipedLine(STDERR_FILENO) + engine::printable(message) +
                    (message.ends_with('\n') ? "" : "\n");
   return code;
 }

@@ -36,8 +36,8 @@ enum class ExitCode : int {
   Interrupted = 130,
 };
 
-ExitCode exitCode(run::FailureKind kind);
-ExitCode exitCode(const run::Outcome& outcome);
+ExitCode exitCode(engine::FailureKind kind);
+ExitCode exitCode(const engine::Outcome& outcome);
 ExitCode exitCode(const Status& status);  ///< for a failure to read or write a file
 
 /// Ends the command with this code; the message goes to stderr.

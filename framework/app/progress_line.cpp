@@ -68,7 +68,7 @@ void ProgressLine::step() {
   if (!due) return;
   const std::string text = frameText(done_, total_, static_cast<double>(now - begin_ns_) * 1e-9);
   if (terminal_.interactive) {
-    redraw(text.substr(0, std::max(run::terminalWidth(STDERR_FILENO) - 1, 0)));
+    redraw(text.substr(0, std::max(engine::terminalWidth(STDERR_FILENO) - 1, 0)));
   } else {
     out_ << text << '\n' << std::flush;
   }

@@ -176,27 +176,27 @@ class Search {
 
   /// Reads the first frames as a run would.
   Result<Recording> probe(const SourceValues& values) const try {
-    run::SystemOptions options{
+    engine::SystemOptions options{
         "", {"source.plugin=" + plugin_.manifest.id}, invocation_.plugin_paths};
     for (const auto& [name, value] : values) {
       options.overrides.push_back("source." + name + "=" + value);
     }
-    run::RunLog log(true);
-    const run::SteadyClock clock;
-    run::Assembly assembly(run::require(run::checkSystem(options, run::Scope::Source)), log, clock,
-                           never_);
+    engine::RunLog log(true);
+    const engine::SteadyClock clock;
+    engine::Assembly assembly(engine::require(engine::checkSystem(options, engine::Scope::Source)),
+                              log, clock, never_);
     std::vector<std::int64_t> stamps_ns;
     while (stamps_ns.size() < kProbedFrames) {
       Frame frame;
       const Status status = assembly.source().next(frame);
       if (status.code() == StatusCode::EndOfStream) break;
-      run::require(status, run::FailureKind::Dataset);
+      engine::require(status, engine::FailureKind::Dataset);
       stamps_ns.push_back(frame.stamp_ns);
     }
     if (stamps_ns.empty()) return Status::invalidInput("there is no frame");
     return describe(assembly, log, values, stamps_ns);
-  } catch (const run::Failed& failed) {
-    using Kind = run::FailureKind;
+  } catch (const engine::Failed& failed) {
+    using Kind = engine::FailureKind;
     const Kind kind = failed.failure.kind;
     if (kind == Kind::Machine || kind == Kind::Record || kind == Kind::Interrupted) throw;
     const std::string prefix = "source (" + plugin_.manifest.id + "), configure: ";
@@ -204,15 +204,15 @@ class Search {
     return Status::invalidInput(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   }
 
-  Recording describe(run::Assembly& assembly, const run::RunLog& log, const SourceValues& values,
-                     const std::vector<std::int64_t>& stamps_ns) const {
+  Recording describe(engine::Assembly& assembly, const engine::RunLog& log,
+                     const SourceValues& values, const std::vector<std::int64_t>& stamps_ns) const {
     const SourceInfo& info = assembly.sourceInfo();
     std::vector<ArrayInfo> arrays;
     (void)assembly.source().instance().describe(arrays);  // it has given frames
     Recording found{plugin_.manifest.id, values,          info.description,
                     info.rig.width,      info.rig.height, info.rig.calibrated,
                     info.rig.baseline};
-    found.depth = !dataset::depthArray(arrays).empty();
+    found.depth = !depthArray(arrays).empty();
     found.has_truth = info.has_truth;
     const double seconds = 1e-9 * static_cast<double>(stamps_ns.back() - stamps_ns.front());
     if (seconds > 0) found.rate = static_cast<double>(stamps_ns.size() - 1) / seconds;
@@ -359,7 +359,7 @@ std::string sourceFor(const fs::path& recording) {
 
 Recording lookAt(const fs::path& recording, const SourceValues& given,
                  const Invocation& invocation) {
-  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   std::string known = sourceFor(recording);
   SourceValues values;
   for (const auto& value : given) {
@@ -372,7 +372,7 @@ Recording lookAt(const fs::path& recording, const SourceValues& given,
   std::optional<Recording> best;
   std::string reasons;
   const auto tryOne = [&](const std::string& id) {
-    const host::LoadedPlugin plugin = run::loadFrom(catalogue, id, Role::Source);
+    const host::LoadedPlugin plugin = engine::loadFrom(catalogue, id, Role::Source);
     Search search(recording, plugin, values, invocation);
     if (search.declared("path") == nullptr) return;
     Result<Recording> found = search.run();

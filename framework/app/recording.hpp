@@ -67,6 +67,7 @@ std::string configurationFor(const std::string& path, const SourceValues& given,
                              Use use = Use::Run);
 
 /// If `options.config` is a recording, replaces it by the configuration for it.
-run::SystemOptions withRecording(run::SystemOptions options, const Invocation& invocation, Use use);
+engine::SystemOptions withRecording(engine::SystemOptions options, const Invocation& invocation,
+                                    Use use);
 
 }  // namespace tolman::app

@@ -136,8 +136,8 @@ std::string configurationFor(const std::string& path, const SourceValues& given,
   return initText(recording, found, carrier, shippedText(stagesFile(found, used)), use);
 }
 
-run::SystemOptions withRecording(run::SystemOptions options, const Invocation& invocation,
-                                 Use use) {
+engine::SystemOptions withRecording(engine::SystemOptions options, const Invocation& invocation,
+                                    Use use) {
   const fs::path given = options.config;
   const std::string ending = given.extension();
   std::error_code ignored;

@@ -7,7 +7,7 @@
 #include <memory>
 #include <mutex>
 
-namespace tolman::dataset {
+namespace tolman::app {
 namespace {
 
 class Rendering {
@@ -145,4 +145,4 @@ RenderOutcome render(const RenderSource& source, const KittiFolder& folder,
   return Rendering(source, folder, options, log).run(cancellation);
 }
 
-}  // namespace tolman::dataset
+}  // namespace tolman::app

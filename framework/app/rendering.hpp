@@ -11,7 +11,7 @@
 #include "tolman/context.hpp"
 #include "tolman/roles.hpp"
 
-namespace tolman::dataset {
+namespace tolman::app {
 
 /// Name of the array that a source describes as a depth image; empty when there is none.
 std::string depthArray(const std::vector<ArrayInfo>& arrays);
@@ -42,4 +42,4 @@ struct RenderSource {
 RenderOutcome render(const RenderSource& source, const KittiFolder& folder,
                      const RenderOptions& options, Logger& log, const Cancellation& cancellation);
 
-}  // namespace tolman::dataset
+}  // namespace tolman::app

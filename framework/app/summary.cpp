@@ -82,8 +82,8 @@ std::string cellsText(const evaluation::CellFigures& cells) {
   return parts.empty() ? "" : fmt::format("{:<10}{}\n", "cells", fmt::join(parts, "; "));
 }
 
-std::string healthText(const run::Outcome& outcome) {
-  const pipeline::RunCounters& n = outcome.counters;
+std::string healthText(const engine::Outcome& outcome) {
+  const engine::RunCounters& n = outcome.counters;
   std::string text =
       fmt::format("{:<10}{} of {} frames, {} initialising, {} lost{}\n", "tracking", n.tracked(),
                   n.frames, n.initialising, n.lost, n.lost_at_end ? "; lost at the end" : "");
@@ -123,7 +123,7 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
 }
 
-ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation) {
+ExitCode printOutcome(const engine::Outcome& outcome, const Invocation& invocation) {
   const std::filesystem::path& directory = outcome.directory;
   if (invocation.json && !directory.empty()) {
     nlohmann::ordered_json json = record::RunDirectory::readRunFile(directory);

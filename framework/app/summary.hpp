@@ -12,7 +12,7 @@
 namespace tolman::app {
 
 /// One block of health counters.
-std::string healthText(const run::Outcome& outcome);
+std::string healthText(const engine::Outcome& outcome);
 
 /// The figures of one trajectory; `name` heads the first line.
 std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMetrics& metrics);
@@ -25,6 +25,6 @@ std::string cellsText(const evaluation::CellFigures& cells);
 std::string figuresText(const evaluation::Metrics& metrics);
 
 /// Prints how a run ended, and returns the exit code.
-ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation);
+ExitCode printOutcome(const engine::Outcome& outcome, const Invocation& invocation);
 
 }  // namespace tolman::app

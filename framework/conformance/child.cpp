@@ -83,11 +83,11 @@ struct Pipe {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    reader = isolation::Descriptor(ends[0]);
-    writer = isolation::Descriptor(ends[1]);
+    reader = host::Descriptor(ends[0]);
+    writer = host::Descriptor(ends[1]);
   }
-  isolation::Descriptor reader;
-  isolation::Descriptor writer;
+  host::Descriptor reader;
+  host::Descriptor writer;
 };
 
 /// Appends what can be read without waiting; false at the end of the stream.
@@ -147,8 +147,8 @@ ChildEnd runChild(const std::function<std::vector<std::string>(int descriptor)>&
   using Clock = std::chrono::steady_clock;
   Pipe report;
   Pipe output;
-  isolation::ChildProcess child(command(report.writer.get()), {report.writer.get()},
-                                output.writer.get());
+  host::ChildProcess child(command(report.writer.get()), {report.writer.get()},
+                           output.writer.get());
   report.writer.close();
   output.writer.close();
   ChildReader reader(report, output, on_line);
@@ -181,7 +181,7 @@ void send(int descriptor, const CheckMessage& message) {
 void runCheck(const std::string& text) {
   const CheckTask task = decodeTask(text);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // end with the kit
-  isolation::limitResources(task.memory_mib);
+  host::limitResources(task.memory_mib);
   const std::vector<Check> checks = allChecks();
   const auto check = std::find_if(checks.begin(), checks.end(),
                                   [&](const Check& c) { return c.id == task.check; });

@@ -52,7 +52,7 @@ std::optional<CheckMessage> decodeMessage(const std::string& line);
 
 struct ChildEnd {
   bool timed_out = false;
-  isolation::ProcessEnd process;
+  host::ProcessEnd process;
   std::string output;  ///< last 300 bytes of stdout and stderr
 };
 

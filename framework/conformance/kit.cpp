@@ -144,7 +144,7 @@ class CheckProcess {
   }
 
   void reportEnd(const ChildEnd& end) {
-    if (end.process.exit_code == isolation::kNoThreadsExit) throw noThreads();
+    if (end.process.exit_code == host::kNoThreadsExit) throw noThreads();
     timed_out_ = end.timed_out;
     const std::string how = end.process.text() + " " + lastCall() + lastLine(end.output);
     if (end.timed_out) {

@@ -29,9 +29,9 @@ FailureKind configureFailure(Role role, const Status& status) {
 std::unique_ptr<host::Instance> instantiate(const CheckedSystem& system, std::size_t i) {
   const std::string& name = system.config.stages[i].instance;
   const auto& remote = system.remotes[i];
-  return require(remote ? isolation::instantiate(remote, name)
-                        : host::Instance::create(system.plugins[i], name),
-                 name);
+  return require(
+      remote ? host::instantiate(remote, name) : host::Instance::create(system.plugins[i], name),
+      name);
 }
 
 Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
@@ -98,7 +98,7 @@ void Assembly::openArtefacts(const std::filesystem::path& run_directory) {
   }
   for (const auto& remote : checked_.remotes) {
     // If the process has ended, the next call reports the failure.
-    if (remote) (void)isolation::openArtefacts(*remote, run_directory.string());
+    if (remote) (void)host::openArtefacts(*remote, run_directory.string());
   }
 }
 

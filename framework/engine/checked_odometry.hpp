@@ -10,7 +10,6 @@
 
 #include "config/settings.hpp"
 #include "engine/frame_check.hpp"
-#include "engine/old_names.hpp"
 #include "host/stages.hpp"
 
 namespace tolman::engine {

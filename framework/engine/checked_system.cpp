@@ -62,7 +62,7 @@ void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugin
 
 struct Opened {
   host::LoadedPlugin plugin;
-  std::shared_ptr<isolation::RemotePlugin> remote;
+  std::shared_ptr<host::RemotePlugin> remote;
 };
 
 /// The program that the key `file` names, as a plugin. Throws Failed.
@@ -93,10 +93,10 @@ void requireRole(const host::Manifest& manifest, Role role) {
 /// Opens a plugin in a process of its own. Throws Failed.
 Opened openApart(const host::Manifest& manifest, Role role, const config::SystemConfig& config,
                  const SystemOptions& options) {
-  const isolation::LaunchOptions launch{options.stage_program, config.isolation.deadline,
-                                        static_cast<std::uint64_t>(config.isolation.memory_limit),
-                                        config.general.threads};
-  auto remote = require(isolation::RemotePlugin::start(manifest, launch));
+  const host::LaunchOptions launch{options.stage_program, config.isolation.deadline,
+                                   static_cast<std::uint64_t>(config.isolation.memory_limit),
+                                   config.general.threads};
+  auto remote = require(host::RemotePlugin::start(manifest, launch));
   requireRole(remote->manifest(), role);
   Schema schema = manifest.program.empty() ? Schema() : config::programSchema();
   schema.insert(schema.end(), remote->schema().begin(), remote->schema().end());
@@ -115,7 +115,7 @@ Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
 
 /// Enables restarts of a remote plugin. Creates its object, because only the object shows whether
 /// the plugin saves its state.
-void prepareRestart(const config::StageConfig& stage, isolation::RemotePlugin& remote,
+void prepareRestart(const config::StageConfig& stage, host::RemotePlugin& remote,
                     config::Problems& problems) {
   const config::Origin origin = stage.given.find("on_failure")->origin;
   if (const auto refusal = remote.create()) {

@@ -60,7 +60,7 @@ struct CheckedSystem {
   config::StageValues values;
   std::vector<host::LoadedPlugin> plugins;  ///< parallel to config.stages; without descriptor
                                             ///< where there is a remote
-  std::vector<std::shared_ptr<isolation::RemotePlugin>> remotes;  ///< parallel; null in the host
+  std::vector<std::shared_ptr<host::RemotePlugin>> remotes;  ///< parallel; null in the host
 };
 
 /// Which stages of a configuration are checked and loaded.

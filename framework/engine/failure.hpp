@@ -12,7 +12,6 @@
 #include <utility>
 #include <variant>
 
-#include "engine/old_names.hpp"
 #include "host/gate.hpp"
 #include "host/guard.hpp"
 #include "tolman/status.hpp"

@@ -11,7 +11,6 @@
 
 #include "base/record_rows.hpp"
 #include "config/settings.hpp"
-#include "engine/old_names.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::engine {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "config/settings.hpp"
-#include "engine/old_names.hpp"
 #include "record/run_reader.hpp"
 #include "report/run_data.hpp"
 #include "report/units.hpp"

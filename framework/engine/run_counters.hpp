@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "engine/old_names.hpp"
-
 namespace tolman::engine {
 
 /// The images that a frame has.

@@ -19,7 +19,7 @@ constexpr double kSecondsPerNs = 1e-9;
 
 /// Collects the times of the stages, and cancels the run after `frames`. Frames that are still in
 /// flight then are finished and not counted.
-class TimingListener : public pipeline::Listener, public Cancellation {
+class TimingListener : public engine::Listener, public Cancellation {
  public:
   TimingListener(const Clock& clock, const Cancellation& cancellation, std::int64_t frames,
                  const BenchProgress& progress)
@@ -42,7 +42,7 @@ class TimingListener : public pipeline::Listener, public Cancellation {
     progress_.frame();
     return Status::ok();
   }
-  void onEvent(const pipeline::Event&) override {}
+  void onEvent(const engine::Event&) override {}
   Status onFinish(const std::vector<MotionRevision>&, const MapGraph&) override {
     return Status::ok();
   }
@@ -71,44 +71,44 @@ class TimingListener : public pipeline::Listener, public Cancellation {
 
 class ChainBench {
  public:
-  ChainBench(const run::SystemOptions& system, const BenchOptions& options, run::RunLog& log,
+  ChainBench(const engine::SystemOptions& system, const BenchOptions& options, engine::RunLog& log,
              const Cancellation& cancellation)
       : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
 
   Bench run() {
-    const bool chain = !options_.source_only && run::hasChain(system_);
-    for (int i = 0; i < options_.repeats; ++i) pass(run::Scope::Source, bench_.source_passes);
+    const bool chain = !options_.source_only && engine::hasChain(system_);
+    for (int i = 0; i < options_.repeats; ++i) pass(engine::Scope::Source, bench_.source_passes);
     for (int i = 0; chain && i < options_.repeats; ++i) {
-      pass(run::Scope::WithoutObservers, bench_.chain_passes);
+      pass(engine::Scope::WithoutObservers, bench_.chain_passes);
     }
     bench_.interrupted = cancellation_.requested();
     return std::move(bench_);
   }
 
  private:
-  void pass(run::Scope scope, std::vector<BenchPass>& passes) {
+  void pass(engine::Scope scope, std::vector<BenchPass>& passes) {
     if (cancellation_.requested()) return;
     conformance::resetPeakResident();
-    run::Assembly assembly(run::require(run::checkSystem(system_, scope)), log_, clock_,
-                           cancellation_);
+    engine::Assembly assembly(engine::require(engine::checkSystem(system_, scope)), log_, clock_,
+                              cancellation_);
     const host::ScratchFolder scratch("tolman-bench");
     if (scratch.path().empty()) {
-      throw run::Failed({run::FailureKind::Record, host::kNoScratchFolder});
+      throw engine::Failed({engine::FailureKind::Record, host::kNoScratchFolder});
     }
     assembly.openArtefacts(scratch.path());
     bench_.name = assembly.system().config.general.name;
     bench_.source = assembly.sourceInfo().description;
     options_.progress.begin_pass(assembly.sourceInfo().frames);
-    BenchPass measured = scope == run::Scope::Source ? sourceAlone(assembly) : chain(assembly);
+    BenchPass measured = scope == engine::Scope::Source ? sourceAlone(assembly) : chain(assembly);
     options_.progress.end_pass();
     if (measured.frames == 0 && !cancellation_.requested()) {
-      throw run::Failed({run::FailureKind::Dataset, "source: gave no frame to measure"});
+      throw engine::Failed({engine::FailureKind::Dataset, "source: gave no frame to measure"});
     }
     if (!cancellation_.requested()) passes.push_back(std::move(measured));  // else: incomplete pass
   }
 
-  BenchPass sourceAlone(run::Assembly& assembly) {
-    const int threads = pipeline::concurrency(assembly.system().config.general.threads);
+  BenchPass sourceAlone(engine::Assembly& assembly) {
+    const int threads = engine::concurrency(assembly.system().config.general.threads);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
     std::vector<std::int64_t> durations_ns;
@@ -119,7 +119,7 @@ class ChainBench {
       const Status status = assembly.source().next(frame);
       const std::int64_t duration_ns = clock_.steadyNs() - begin_ns;
       if (status.code() == StatusCode::EndOfStream) break;
-      run::require(status, run::FailureKind::Dataset);
+      engine::require(status, engine::FailureKind::Dataset);
       durations_ns.push_back(duration_ns);
       pass.seconds += static_cast<double>(duration_ns) * kSecondsPerNs;
       pass.rectifying_s += static_cast<double>(assembly.source().rectifyingNs()) * kSecondsPerNs;
@@ -131,30 +131,30 @@ class ChainBench {
     return pass;
   }
 
-  BenchPass chain(run::Assembly& assembly) {
+  BenchPass chain(engine::Assembly& assembly) {
     const config::SystemConfig& config = assembly.system().config;
     config::PipelineSettings settings = config.pipeline;
     settings.mode = config::PipelineMode::Lossless;
     TimingListener timing(clock_, cancellation_, options_.frames, options_.progress);
-    pipeline::Chain stages(assembly.stages(), assembly.policies(), timing);
-    const pipeline::DriveResult result =
-        pipeline::drive(stages, settings, config.general.threads, timing);
-    if (result.failure) throw run::Failed(assembly.failureOf(*result.failure));
+    engine::Chain stages(assembly.stages(), assembly.policies(), timing);
+    const engine::DriveResult result =
+        engine::drive(stages, settings, config.general.threads, timing);
+    if (result.failure) throw engine::Failed(assembly.failureOf(*result.failure));
     return timing.pass();
   }
 
-  const run::SystemOptions& system_;
+  const engine::SystemOptions& system_;
   const BenchOptions& options_;
-  run::RunLog& log_;
+  engine::RunLog& log_;
   const Cancellation& cancellation_;
-  run::SteadyClock clock_;
+  engine::SteadyClock clock_;
   Bench bench_;
 };
 
 }  // namespace
 
-Bench runBench(const run::SystemOptions& system, const BenchOptions& options, run::RunLog& log,
-               const Cancellation& cancellation) {
+Bench runBench(const engine::SystemOptions& system, const BenchOptions& options,
+               engine::RunLog& log, const Cancellation& cancellation) {
   return ChainBench(system, options, log, cancellation).run();
 }
 

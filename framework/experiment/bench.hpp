@@ -47,9 +47,9 @@ struct Bench {
   bool interrupted = false;             ///< the passes listed are complete
 };
 
-/// Each pass creates and configures its stages again. Throws run::Failed.
-Bench runBench(const run::SystemOptions& system, const BenchOptions& options, run::RunLog& log,
-               const Cancellation& cancellation);
+/// Each pass creates and configures its stages again. Throws engine::Failed.
+Bench runBench(const engine::SystemOptions& system, const BenchOptions& options,
+               engine::RunLog& log, const Cancellation& cancellation);
 
 /// A table; ratios are rates over the rate of the first pass.
 std::string benchText(const Bench& bench);

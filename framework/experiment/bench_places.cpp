@@ -98,7 +98,7 @@ struct Answer {
 /// One pass over the images of a source.
 class Pass {
  public:
-  Pass(run::Assembly& assembly, const PlacesOptions& options, const Cancellation& cancellation)
+  Pass(engine::Assembly& assembly, const PlacesOptions& options, const Cancellation& cancellation)
       : assembly_(assembly), options_(options), cancellation_(cancellation) {}
 
   /// The pass (0 or 1) and the image in it from which a template was made.
@@ -136,7 +136,7 @@ class Pass {
     frame = Frame();
     const Status status = assembly_.source().next(frame);
     if (status.code() == StatusCode::EndOfStream) return false;
-    run::require(status, run::FailureKind::Dataset);
+    engine::require(status, engine::FailureKind::Dataset);
     return true;
   }
 
@@ -145,8 +145,8 @@ class Pass {
     const bool wants_motion = assembly_.place().input() == PlaceInput::FrameAndMotion;
     PlaceObservation seen;
     const std::int64_t begin_ns = clock_.steadyNs();
-    run::require(assembly_.place().observe(frame, wants_motion ? &motion : nullptr, seen),
-                 run::FailureKind::Stage);
+    engine::require(assembly_.place().observe(frame, wants_motion ? &motion : nullptr, seen),
+                    engine::FailureKind::Stage);
     milliseconds.push_back(1e-6 * static_cast<double>(clock_.steadyNs() - begin_ns));
     return seen;
   }
@@ -174,22 +174,22 @@ class Pass {
     return motion;
   }
 
-  run::Assembly& assembly_;
+  engine::Assembly& assembly_;
   const PlacesOptions& options_;
   const Cancellation& cancellation_;
-  run::SteadyClock clock_;
+  engine::SteadyClock clock_;
   std::int64_t images_ = 0;
   std::int64_t last_stamp_ns_ = 0;
 };
 
 class PlacesMeasurement {
  public:
-  PlacesMeasurement(const run::SystemOptions& system, const PlacesOptions& options,
-                    run::RunLog& log, const Cancellation& cancellation)
+  PlacesMeasurement(const engine::SystemOptions& system, const PlacesOptions& options,
+                    engine::RunLog& log, const Cancellation& cancellation)
       : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
 
   PlacesBench run() {
-    run::Assembly first = open(system_);
+    engine::Assembly first = open(system_);
     if (!options_.pairs.empty()) refuseSelection(first.system());
     bench_.name = first.system().config.general.name;
     bench_.plugin = first.place().instance().manifest().id;
@@ -212,20 +212,21 @@ class PlacesMeasurement {
   }
 
  private:
-  run::Assembly open(const run::SystemOptions& system) {
-    return {run::require(run::checkSystem(system, run::Scope::SourceAndPlace)), log_, clock_,
-            cancellation_};
+  engine::Assembly open(const engine::SystemOptions& system) {
+    return {engine::require(engine::checkSystem(system, engine::Scope::SourceAndPlace)), log_,
+            clock_, cancellation_};
   }
 
-  void showSecond(run::Assembly& first, const PlaceTruth& truth) {
+  void showSecond(engine::Assembly& first, const PlaceTruth& truth) {
     const std::string state =
-        run::require(first.place().instance().save(), run::FailureKind::Configuration);
-    run::SystemOptions system = system_;
+        engine::require(first.place().instance().save(), engine::FailureKind::Configuration);
+    engine::SystemOptions system = system_;
     system.overrides.push_back("source.path=" + config::writeText(options_.second));
     system.overrides.insert(system.overrides.end(), options_.query_overrides.begin(),
                             options_.query_overrides.end());
-    run::Assembly second = open(system);
-    run::require(second.place().instance().load(state), run::FailureKind::Configuration, "place");
+    engine::Assembly second = open(system);
+    engine::require(second.place().instance().load(state), engine::FailureKind::Configuration,
+                    "place");
     second.place().resetChecks(static_cast<std::int64_t>(made_at_.size()));
     Pass pass(second, options_, cancellation_);
     pass.show(1, made_at_);
@@ -245,56 +246,58 @@ class PlacesMeasurement {
 
   /// Whether a parameter of the source has this value (as JSON), or the source has none of that
   /// name.
-  static bool isSourceAt(const run::CheckedSystem& system, const std::string& name,
+  static bool isSourceAt(const engine::CheckedSystem& system, const std::string& name,
                          const std::string& value) {
     const ParameterValues& source = system.values.at(system.config.stages.front().instance);
     const auto found = source.find(name);
-    return found == source.end() || run::valueJson(found->second).dump() == value;
+    return found == source.end() || engine::valueJson(found->second).dump() == value;
   }
 
   /// The numbers of pairs are those of the images in the recording, so all images must be shown, in
   /// their order.
-  static void refuseSelection(const run::CheckedSystem& system) {
+  static void refuseSelection(const engine::CheckedSystem& system) {
     for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
                                       {"step", "1"},
                                       {"order", "\"forward\""}}) {
       if (isSourceAt(system, name, whole)) continue;
-      throw run::Failed({run::FailureKind::Configuration,
-                         fmt::format("--pairs numbers all images of the recording, and source.{} "
-                                     "selects some; leave it at {}",
-                                     name, whole)});
+      throw engine::Failed(
+          {engine::FailureKind::Configuration,
+           fmt::format("--pairs numbers all images of the recording, and source.{} "
+                       "selects some; leave it at {}",
+                       name, whole)});
     }
   }
 
   /// Pairs of another or a longer recording. With source.last and --frames the images may end
   /// before the pairs.
   void refuseUnknownImages(const PlaceTruth& truth, const Pass& pass,
-                           const run::CheckedSystem& system) const {
+                           const engine::CheckedSystem& system) const {
     const bool whole = options_.frames < 0 && isSourceAt(system, "last", "-1");
     if (!whole || cancellation_.requested() || truth.last_query < pass.images()) return;
-    throw run::Failed({run::FailureKind::Dataset,
-                       fmt::format("{}: names image {}, and the recording has {} images, from 0; "
-                                   "are these the pairs of this recording?",
-                                   options_.pairs, truth.last_query, pass.images())});
+    throw engine::Failed(
+        {engine::FailureKind::Dataset,
+         fmt::format("{}: names image {}, and the recording has {} images, from 0; "
+                     "are these the pairs of this recording?",
+                     options_.pairs, truth.last_query, pass.images())});
   }
 
-  PlaceTruth truthOf(const Pass& pass, const run::CheckedSystem& system) const {
+  PlaceTruth truthOf(const Pass& pass, const engine::CheckedSystem& system) const {
     if (!options_.pairs.empty()) {
-      PlaceTruth truth =
-          run::require(truthOfPairs(options_.pairs, options_.near), run::FailureKind::Dataset);
+      PlaceTruth truth = engine::require(truthOfPairs(options_.pairs, options_.near),
+                                         engine::FailureKind::Dataset);
       refuseUnknownImages(truth, pass, system);
       if (countFindable(truth, pass) > 0) return truth;
-      throw run::Failed({run::FailureKind::Dataset,
-                         fmt::format("{}: has no pair of the {} images that were shown whose "
-                                     "images are more than {} apart (--near)",
-                                     options_.pairs, pass.images(), options_.near)});
+      throw engine::Failed({engine::FailureKind::Dataset,
+                            fmt::format("{}: has no pair of the {} images that were shown whose "
+                                        "images are more than {} apart (--near)",
+                                        options_.pairs, pass.images(), options_.near)});
     }
     if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
       return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
     }
-    throw run::Failed({run::FailureKind::Configuration,
-                       "nothing says which images show the same place: the source has no true "
-                       "poses; give --pairs or --second"});
+    throw engine::Failed({engine::FailureKind::Configuration,
+                          "nothing says which images show the same place: the source has no true "
+                          "poses; give --pairs or --second"});
   }
 
   static std::int64_t countFindable(const PlaceTruth& truth, const Pass& pass) {
@@ -330,25 +333,25 @@ class PlacesMeasurement {
     bench_.opposite = judgeOpposite(pass.truth, turned, loop_height);
   }
 
-  void keepState(run::Assembly& assembly) {
+  void keepState(engine::Assembly& assembly) {
     if (assembly.place().instance().state() == nullptr) return;
     const Result<std::string> state = assembly.place().instance().save();
     if (state.isOk()) bench_.state_bytes = static_cast<std::int64_t>(state.value().size());
   }
 
-  const run::SystemOptions& system_;
+  const engine::SystemOptions& system_;
   const PlacesOptions& options_;
-  run::RunLog& log_;
+  engine::RunLog& log_;
   const Cancellation& cancellation_;
-  run::SteadyClock clock_;
+  engine::SteadyClock clock_;
   std::map<std::int64_t, Pass::Template> made_at_;
   PlacesBench bench_;
 };
 
 }  // namespace
 
-PlacesBench runPlacesBench(const run::SystemOptions& system, const PlacesOptions& options,
-                           run::RunLog& log, const Cancellation& cancellation) {
+PlacesBench runPlacesBench(const engine::SystemOptions& system, const PlacesOptions& options,
+                           engine::RunLog& log, const Cancellation& cancellation) {
   return PlacesMeasurement(system, options, log, cancellation).run();
 }
 

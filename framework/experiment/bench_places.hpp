@@ -83,9 +83,9 @@ struct PlacesBench {
 };
 
 /// The configuration needs a source and a place recogniser. Two passes need a recogniser that saves
-/// its state: the second pass starts with the state of the first. Throws run::Failed.
-PlacesBench runPlacesBench(const run::SystemOptions& system, const PlacesOptions& options,
-                           run::RunLog& log, const Cancellation& cancellation);
+/// its state: the second pass starts with the state of the first. Throws engine::Failed.
+PlacesBench runPlacesBench(const engine::SystemOptions& system, const PlacesOptions& options,
+                           engine::RunLog& log, const Cancellation& cancellation);
 
 std::string placesBenchText(const PlacesBench& bench);
 nlohmann::ordered_json placesBenchJson(const PlacesBench& bench);

@@ -54,7 +54,7 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
 class Planner {
  public:
   Planner(const PlanOptions& options, Plan& plan)
-      : options_(options), plan_(plan), catalogue_(run::openCatalogue(options.plugin_paths)) {
+      : options_(options), plan_(plan), catalogue_(engine::openCatalogue(options.plugin_paths)) {
     const auto host = record::fileDigest("/proc/self/exe");
     host_ = host.isOk() ? host.value() : "unreadable";
   }
@@ -180,8 +180,8 @@ class Planner {
     host::Manifest manifest;
     std::string refusal;
     try {
-      manifest = run::manifestOf(catalogue_, stage, system);
-    } catch (const run::Failed& refused) {
+      manifest = engine::manifestOf(catalogue_, stage, system);
+    } catch (const engine::Failed& refused) {
       refusal = refused.what();
     }
     const auto [found, is_new] =
@@ -199,8 +199,8 @@ class Planner {
                            const config::SystemConfig& system) {
     Plugin plugin;
     try {
-      plugin.loaded = run::describeFrom(manifest, role, system);
-    } catch (const run::Failed& refused) {
+      plugin.loaded = engine::describeFrom(manifest, role, system);
+    } catch (const engine::Failed& refused) {
       plugin.refusal = refused.what();
     }
     std::vector<std::string> files = plugin.loaded.manifest.program_files;
@@ -234,7 +234,7 @@ class Planner {
     config::Problems problems;
     config::SystemConfig system = config::parse(loaded, problems);
     config::StageValues values;
-    run::StageSchemas schemas;
+    engine::StageSchemas schemas;
     PlannedRun run;
     for (const config::StageConfig& stage : system.stages) {
       if (stage.plugin.empty()) continue;
@@ -254,8 +254,8 @@ class Planner {
     run.name = point.name;
     run.factors = point.factors;
     run.inputs.host = host_;
-    addData(run, run::inputPaths(system, values, schemas), front);
-    if (front == nullptr) plan_.missing.merge(run::missingPaths(system, values, schemas));
+    addData(run, engine::inputPaths(system, values, schemas), front);
+    if (front == nullptr) plan_.missing.merge(engine::missingPaths(system, values, schemas));
     setKey(run, system, values, front);
     return run;
   }

@@ -15,14 +15,14 @@ namespace tolman::experiment {
 namespace {
 
 namespace fs = std::filesystem;
-using run::FailureKind;
+using engine::FailureKind;
 
 constexpr const char* kPlanAgain =
     " has changed since the run was planned; plan it again with "
     "`tolman sweep`, which makes a new run of it";
 
 [[noreturn]] void refuse(FailureKind kind, const std::string& message) {
-  throw run::Failed({kind, message});
+  throw engine::Failed({kind, message});
 }
 
 void requireUnchanged(const fs::path& folder, const PlannedRun& point) {
@@ -45,7 +45,7 @@ void requireUnchanged(const fs::path& folder, const PlannedRun& point) {
   }
   for (const record::DataDigest& data : inputs.data) {
     const auto now = record::digestData(data.path, data);
-    run::require(now.status(), FailureKind::Dataset);
+    engine::require(now.status(), FailureKind::Dataset);
     const bool same =
         data.sha256.empty() ? now.value().stamp == data.stamp : now.value().sha256 == data.sha256;
     if (!same) refuse(FailureKind::Dataset, data.path + kPlanAgain);
@@ -71,26 +71,27 @@ std::string configOf(const fs::path& folder, const PlannedRun& point,
   const std::string yaml = "extends: [config.yaml, \"" +
                            fs::absolute(options.find_config("experiments/replay")).string() +
                            "\"]\n";
-  run::require(record::writeAtomically(folder / "replay.yaml", yaml, record::Sync::No),
-               FailureKind::Record);
+  engine::require(record::writeAtomically(folder / "replay.yaml", yaml, record::Sync::No),
+                  FailureKind::Record);
   ::setenv("REPLAY_RUN", fs::absolute(answers).c_str(), 1);  // no other thread reads it
   return (folder / "replay.yaml").string();
 }
 
-run::Outcome execute(const fs::path& folder, const PlannedRun& point,
-                     const PointRunOptions& options, const Cancellation& cancellation,
-                     bool& replayed) {
+engine::Outcome execute(const fs::path& folder, const PlannedRun& point,
+                        const PointRunOptions& options, const Cancellation& cancellation,
+                        bool& replayed) {
   requireUnchanged(folder, point);
-  run::SystemOptions system{configOf(folder, point, options, replayed), {}, options.plugin_paths};
+  engine::SystemOptions system{
+      configOf(folder, point, options, replayed), {}, options.plugin_paths};
   system.quiet = true;
   if (options.threads > 0) {
     system.overrides.push_back("threads=" + std::to_string(options.threads));
   }
   if (replayed) system.overrides.push_back("name=\"" + point.name + "\"");
-  run::CheckedSystem checked = run::require(run::checkSystem(system));
-  run::RunLog log(options.quiet);
-  const run::SteadyClock clock;
-  run::Run run(
+  engine::CheckedSystem checked = engine::require(engine::checkSystem(system));
+  engine::RunLog log(options.quiet);
+  const engine::SteadyClock clock;
+  engine::Run run(
       log, clock, cancellation,
       {folder / "run", true, {}, options.command_line, point.keeps_answers, options.exit_code});
   return run.execute(std::move(checked));
@@ -139,9 +140,9 @@ PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
   fs::remove(folder / "outcome.json", ignored);
   try {
     const auto point = readPoint(folder);
-    run::require(point.status(), FailureKind::Configuration);
+    engine::require(point.status(), FailureKind::Configuration);
     removeUnfinished(folder / "run");
-    const run::Outcome ran =
+    const engine::Outcome ran =
         execute(folder, point.value(), options, cancellation, outcome.replayed);
     outcome.exit_code = options.exit_code(ran);
     if (ran.failure) outcome.message = ran.failure->message;
@@ -149,7 +150,7 @@ PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
     if (outcome.lostTracking()) {
       outcome.message = "odometry was not tracking at the end, or found no motion in the whole run";
     }
-  } catch (const run::Failed& failed) {
+  } catch (const engine::Failed& failed) {
     outcome.exit_code = options.failure_code(failed.failure);
     outcome.message = failed.what();
   }

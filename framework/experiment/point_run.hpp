@@ -19,8 +19,8 @@ struct PointRunOptions {
   bool quiet = false;
   int threads = 0;  ///< replaces `threads: 0` of the configuration
   std::function<std::string(const std::string&)> find_config;
-  std::function<int(const run::Outcome&)> exit_code;
-  std::function<int(const run::Failure&)> failure_code;
+  std::function<int(const engine::Outcome&)> exit_code;
+  std::function<int(const engine::Failure&)> failure_code;
 };
 
 /// The outcome of the run; also if it had ended before. An interrupted run has the state

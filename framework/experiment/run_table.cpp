@@ -273,7 +273,7 @@ Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
     others.push_back(&rows[i]);
     paths.push_back(rows[i].directory);
   }
-  const auto names = run::distinctNames(paths);
+  const auto names = engine::distinctNames(paths);
   for (std::size_t i = 0; i < others.size(); ++i) {
     others[i]->name = names[i];
     others[i]->is_alone = true;

@@ -12,7 +12,7 @@
 #include "host/codec.hpp"
 #include "tolman/context.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 /// Calls from the host. Each call gets one reply.
 enum class Call : std::uint32_t {
@@ -109,4 +109,4 @@ template <class T>
 requires std::same_as<std::remove_const_t<T>, LoadMessage>
 auto parts(T& m) { return std::tie(m.file, m.id, m.program, m.memory_mib, m.threads); }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

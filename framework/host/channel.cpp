@@ -25,7 +25,7 @@
 
 #include "config/text.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 namespace {
 
@@ -220,4 +220,4 @@ std::string StackReport::ask(const ChildProcess& process, const std::string& pro
   return placeInStack(now.substr(before.size()), program);
 }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

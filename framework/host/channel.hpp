@@ -13,7 +13,7 @@
 
 #include "host/child_process.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 class SharedBuffer {
  public:
@@ -125,4 +125,4 @@ class StackReport {
 /// The same of the text of a stack. Exposed for its test.
 std::string placeInStack(const std::string& stack, const std::string& program);
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -14,7 +14,7 @@
 
 #include "tolman/version.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 namespace {
 
 void check(int error, const char* what) {
@@ -134,4 +134,4 @@ ProcessEnd ChildProcess::end(std::chrono::milliseconds timeout) {
   return end_;
 }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 /// How a process ended.
 struct ProcessEnd {
@@ -50,4 +50,4 @@ class ChildProcess {
   ProcessEnd end_;
 };
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

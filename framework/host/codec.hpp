@@ -22,7 +22,7 @@
 #include "tolman/parameters.hpp"
 #include "tolman/roles.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 /// The bytes are not a valid encoding.
 struct MalformedMessage : std::runtime_error {
@@ -272,4 +272,4 @@ inline void Decoder::get(ParameterValues& values) {
   }
 }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -23,7 +23,7 @@
 #include "host/library.hpp"
 #include "host/stage_artefacts.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 namespace {
 
@@ -334,4 +334,4 @@ void runPluginProcess(const std::vector<int>& descriptors, const ProcessServices
   ::_exit(0);
 }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

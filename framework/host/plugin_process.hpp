@@ -17,7 +17,7 @@
 #include "tolman/context.hpp"
 #include "tolman/plugin.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 using Handler = std::function<void(Decoder&, Encoder&)>;
 using Handlers = std::map<Call, Handler>;
@@ -87,4 +87,4 @@ struct ProcessServices {
 [[noreturn]] void runPluginProcess(const std::vector<int>& descriptors,
                                    const ProcessServices& services);
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

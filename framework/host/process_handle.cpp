@@ -7,7 +7,7 @@
 
 #include "host/calls.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 namespace {
 
 using std::chrono::milliseconds;
@@ -132,4 +132,4 @@ Status ProcessHandle::end(const std::string& reason) {
   return Status::failed("its process " + reason);
 }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -16,7 +16,7 @@
 #include "host/codec.hpp"
 #include "tolman/context.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 /// How the process of a plugin is started, and its limits.
 struct LaunchOptions {
@@ -79,4 +79,4 @@ class ProcessHandle {
   std::optional<int> exit_code_;
 };
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

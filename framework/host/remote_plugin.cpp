@@ -10,7 +10,7 @@
 #include "host/library.hpp"
 #include "host/plugin_process.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 namespace {
 
 constexpr int kMaxRestarts = 10;
@@ -237,4 +237,4 @@ Status RemotePlugin::destroy() {
   return call(Call::Destroy, std::tuple<>(), std::tuple<>());
 }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -14,7 +14,7 @@
 #include "host/manifest.hpp"
 #include "host/process_handle.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 class RemotePlugin {
  public:
@@ -87,4 +87,4 @@ class RemotePlugin {
   std::vector<RecordedCall> calls_since_checkpoint_;
 };
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -9,7 +9,7 @@
 #include "host/guard.hpp"
 #include "host/motion_times.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 namespace {
 
 const auto kNone = std::tuple<>();
@@ -217,4 +217,4 @@ Status openArtefacts(RemotePlugin& remote, const std::string& run_directory) {
   return remote.call(Call::OpenArtefacts, std::tie(run_directory), std::tuple<>());
 }
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -8,7 +8,7 @@
 #include "host/instance.hpp"
 #include "host/remote_plugin.hpp"
 
-namespace tolman::isolation {
+namespace tolman::host {
 
 /// Constructs the plugin's object in its process. Refusals: those of RemotePlugin::create().
 host::OrRefusal<std::unique_ptr<host::Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
@@ -17,4 +17,4 @@ host::OrRefusal<std::unique_ptr<host::Instance>> instantiate(std::shared_ptr<Rem
 /// Sends the folder of the run to the process, which creates the plugin's artefact writer there.
 Status openArtefacts(RemotePlugin& remote, const std::string& run_directory);
 
-}  // namespace tolman::isolation
+}  // namespace tolman::host

@@ -6,7 +6,7 @@
 
 using namespace tolman;
 using app::exitCode;
-using run::FailureKind;
+using engine::FailureKind;
 
 TEST_CASE("every kind of failure has its exit code, as docs/errors.md lists them") {
   const auto code = [](FailureKind kind) { return static_cast<int>(exitCode(kind)); };
@@ -20,7 +20,7 @@ TEST_CASE("every kind of failure has its exit code, as docs/errors.md lists them
 }
 
 TEST_CASE("of an outcome a failure counts first, then an interruption, then lost tracking") {
-  run::Outcome outcome;
+  engine::Outcome outcome;
   CHECK(exitCode(outcome) == app::ExitCode::Ok);
   outcome.counters.lost_at_end = true;
   CHECK(exitCode(outcome) == app::ExitCode::TrackingLost);
@@ -34,6 +34,6 @@ TEST_CASE("of an outcome a failure counts first, then an interruption, then lost
   outcome.counters.lost_at_end = true;
   outcome.interrupted = true;
   CHECK(exitCode(outcome) == app::ExitCode::Interrupted);
-  outcome.failure = run::Failure{FailureKind::Stage, "broken"};
+  outcome.failure = engine::Failure{FailureKind::Stage, "broken"};
   CHECK(exitCode(outcome) == app::ExitCode::PluginFailed);
 }

@@ -36,7 +36,7 @@ std::size_t entries(const fs::path& folder) {
 }  // namespace
 
 TEST_CASE("calibration has four matrices, the right ones with -fx * baseline") {
-  CHECK(dataset::calibrationText(kittiRig()) ==
+  CHECK(app::calibrationText(kittiRig()) ==
         "P0: 718.856 0 607.1928 0 0 718.856 185.2157 0 0 0 1 0\n"
         "P1: 718.856 0 607.1928 -359.428 0 718.856 185.2157 0 0 0 1 0\n"
         "P2: 718.856 0 607.1928 0 0 718.856 185.2157 0 0 0 1 0\n"
@@ -44,29 +44,29 @@ TEST_CASE("calibration has four matrices, the right ones with -fx * baseline") {
 }
 
 TEST_CASE("times are exact to the nanosecond") {
-  CHECK(dataset::timesText({0, 103'662'200, 1'000'000'001, 1'700'000'000'123'456'789}) ==
+  CHECK(app::timesText({0, 103'662'200, 1'000'000'001, 1'700'000'000'123'456'789}) ==
         "0.000000000\n0.103662200\n1.000000001\n1700000000.123456789\n");
-  CHECK(dataset::timesText({-1'500'000'000, -1}) == "-1.500000000\n-0.000000001\n");
+  CHECK(app::timesText({-1'500'000'000, -1}) == "-1.500000000\n-0.000000001\n");
 }
 
 TEST_CASE("a new folder is made with its parents, an empty one is taken") {
   const test::TemporaryFolder folder;
   const fs::path path = folder.path() / "a/b/c";
-  CHECK(dataset::KittiFolder::create(path, false).isOk());
-  CHECK(dataset::KittiFolder::create(path, false).isOk());
+  CHECK(app::KittiFolder::create(path, false).isOk());
+  CHECK(app::KittiFolder::create(path, false).isOk());
   CHECK(fs::is_directory(path));
 }
 
 TEST_CASE("a folder that holds something is left alone") {
   const test::TemporaryFolder folder;
   touch(folder.path() / "thesis.tex");
-  const auto refused = dataset::KittiFolder::create(folder.path(), false);
+  const auto refused = app::KittiFolder::create(folder.path(), false);
   REQUIRE_FALSE(refused.isOk());
   CHECK(refused.status().message() ==
         folder.path().string() +
             ": is not empty; choose another --out, or give --force to replace an earlier "
             "rendering");
-  const auto file = dataset::KittiFolder::create(folder.path() / "thesis.tex", true);
+  const auto file = app::KittiFolder::create(folder.path() / "thesis.tex", true);
   REQUIRE_FALSE(file.isOk());
   CHECK(file.status().message() == (folder.path() / "thesis.tex").string() +
                                        ": is not a folder and cannot be made; choose another "
@@ -85,7 +85,7 @@ TEST_CASE("replacing removes an earlier rendering, and nothing else") {
        {"thesis.tex", "image_0/notes.txt", "image_0/holiday.png", "velodyne/000000.png"}) {
     touch(folder.path() / foreign);
   }
-  REQUIRE(dataset::KittiFolder::create(folder.path(), true).isOk());
+  REQUIRE(app::KittiFolder::create(folder.path(), true).isOk());
   CHECK(entries(folder.path()) == 4);  // with the mark of the new one
   CHECK(entries(folder.path() / "image_0") == 2);
   CHECK(fs::exists(folder.path() / "thesis.tex"));
@@ -96,7 +96,7 @@ TEST_CASE("a data set that no rendering has made is not replaced") {
   const test::TemporaryFolder folder;
   touch(folder.path() / "image_0/000000.png");
   touch(folder.path() / "calib.txt");
-  const auto refused = dataset::KittiFolder::create(folder.path(), true);
+  const auto refused = app::KittiFolder::create(folder.path(), true);
   REQUIRE_FALSE(refused.isOk());
   CHECK(refused.status().message().starts_with(folder.path().string() +
                                                ": holds no rendering of Tolman"));
@@ -111,11 +111,11 @@ TEST_CASE("two renderings cannot share a folder, and neither a rendering and a r
       path.string() +
       ": another rendering or run is writing here; wait for its end, or choose another --out";
   {
-    const auto first = dataset::KittiFolder::create(path, false);
+    const auto first = app::KittiFolder::create(path, false);
     REQUIRE(first.isOk());
     touch(path / "image_0/000000.png");
     for (const bool replace : {false, true}) {
-      CHECK(dataset::KittiFolder::create(path, replace).status().message() == refusal);
+      CHECK(app::KittiFolder::create(path, replace).status().message() == refusal);
     }
     CHECK(fs::exists(path / "image_0/000000.png"));  // the refused one removed nothing
     record::RunDirectoryOptions options;
@@ -123,13 +123,13 @@ TEST_CASE("two renderings cannot share a folder, and neither a rendering and a r
     options.replace = true;
     CHECK_FALSE(record::RunDirectory::create(options).isOk());
   }
-  CHECK(dataset::KittiFolder::create(path, true).isOk());
+  CHECK(app::KittiFolder::create(path, true).isOk());
   CHECK_FALSE(fs::exists(path / "image_0"));
 }
 
 TEST_CASE("an image that cannot be written is named, and leaves nothing behind") {
   const test::TemporaryFolder folder;
-  const auto target = dataset::KittiFolder::create(folder.path() / "out", false);
+  const auto target = app::KittiFolder::create(folder.path() / "out", false);
   REQUIRE(target.isOk());
   touch(folder.path() / "out/image_0");  // a file where the folder has to be
   Frame frame;
@@ -144,8 +144,8 @@ TEST_CASE("an image that cannot be written is named, and leaves nothing behind")
 
 TEST_CASE("poses and loops are written with the whole truth only") {
   const test::TemporaryFolder folder;
-  const auto target = dataset::KittiFolder::create(folder.path(), false);
-  dataset::DriveLog log;
+  const auto target = app::KittiFolder::create(folder.path(), false);
+  app::DriveLog log;
   log.stamps_ns = {0, 100'000'000};
   log.truth = {{0, 0, Eigen::Isometry3d::Identity()}};
   REQUIRE(target.value().writeTexts(kittiRig(), log, {}).isOk());

@@ -40,19 +40,19 @@ TEST_CASE("grey and colour images come back pixel for pixel") {
   const auto format = GENERATE(PixelFormat::Gray8, PixelFormat::Bgr8);
   for (const auto& [width, height] : {std::pair(64, 48), {1241, 37}, {1, 1}, {3, 200}}) {
     const Image image = noise(width, height, format);
-    checkPixels(decoded(dataset::encodePng(image), cv::IMREAD_UNCHANGED), image);
+    checkPixels(decoded(app::encodePng(image), cv::IMREAD_UNCHANGED), image);
   }
 }
 
 TEST_CASE("an image that is part of a wider one is written without its surroundings") {
   const Image wide = noise(100, 20, PixelFormat::Gray8);
   const Image part(wide.data() + 30, 40, 20, wide.stride(), wide.format(), wide.owner());
-  checkPixels(decoded(dataset::encodePng(part), cv::IMREAD_UNCHANGED), part);
+  checkPixels(decoded(app::encodePng(part), cv::IMREAD_UNCHANGED), part);
 }
 
 TEST_CASE("the same image gives the same bytes") {
   const Image image = noise(64, 48, PixelFormat::Gray8);
-  CHECK(dataset::encodePng(image).value() == dataset::encodePng(image).value());
+  CHECK(app::encodePng(image).value() == app::encodePng(image).value());
 }
 
 TEST_CASE("depth is metres times 256, and 0 where there is none") {
@@ -61,7 +61,7 @@ TEST_CASE("depth is metres times 256, and 0 where there is none") {
                          {2, 5},
                          {0, 1, 2.5F, 0.001F, -3, 255.99F, 256, 1e9F, kInfinity,
                           std::numeric_limits<float>::quiet_NaN()}};
-  const cv::Mat pixels = decoded(dataset::encodeDepthPng(depth), cv::IMREAD_UNCHANGED);
+  const cv::Mat pixels = decoded(app::encodeDepthPng(depth), cv::IMREAD_UNCHANGED);
   REQUIRE(pixels.type() == CV_16UC1);
   REQUIRE(pixels.rows == 2);
   const std::vector<int> expected = {0, 256, 640, 0, 0, 65533, 0, 0, 0, 0};
@@ -73,7 +73,7 @@ TEST_CASE("an array that is no plane is refused") {
        {NamedArray{"depth.left", {10}, std::vector<float>(10)},
         NamedArray{"depth.left", {3, 4}, std::vector<float>(10)},
         NamedArray{"depth.left", {0, 4}, {}}, NamedArray{"depth.left", {-2, -5}, {}}}) {
-    const auto png = dataset::encodeDepthPng(bad);
+    const auto png = app::encodeDepthPng(bad);
     REQUIRE_FALSE(png.isOk());
     CHECK(png.status().message() == "'depth.left' has not the shape {height, width}");
   }

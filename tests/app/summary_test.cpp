@@ -6,7 +6,7 @@
 using namespace tolman;
 
 TEST_CASE("health comes first, in one block") {
-  run::Outcome outcome;
+  engine::Outcome outcome;
   outcome.counters.frames = 50;
   outcome.counters.initialising = 1;
   outcome.counters.lost = 3;
@@ -26,16 +26,16 @@ TEST_CASE("health comes first, in one block") {
 }
 
 TEST_CASE("a realtime run tells how old its poses are") {
-  run::Outcome outcome;
+  engine::Outcome outcome;
   outcome.counters.frames = 50;
   CHECK_THAT(app::healthText(outcome), !Catch::Contains("latency"));
-  outcome.latency = {50, 12.34, 45.67, pipeline::ExposureClock::Pace};
+  outcome.latency = {50, 12.34, 45.67, engine::ExposureClock::Pace};
   CHECK_THAT(app::healthText(outcome),
              Catch::EndsWith("latency   exposure to pose median 12.3 ms, 99 % 45.7 ms\n"));
 }
 
 TEST_CASE("that a run never tracked is its first line") {
-  run::Outcome outcome;
+  engine::Outcome outcome;
   outcome.counters.frames = 50;
   outcome.counters.initialising = 47;
   outcome.counters.lost = 3;
@@ -47,7 +47,7 @@ TEST_CASE("that a run never tracked is its first line") {
 }
 
 TEST_CASE("a run of one frame found no motion either, and is not told to look at its images") {
-  run::Outcome outcome;
+  engine::Outcome outcome;
   outcome.counters.frames = 1;
   outcome.counters.initialising = 1;
   CHECK_THAT(app::healthText(outcome),

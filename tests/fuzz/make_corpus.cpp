@@ -162,8 +162,8 @@ void writeMap(const fs::path& folder) {
 
 template <class... T>
 std::string encoded(const T&... values) {
-  isolation::SharedBuffer memory("corpus");
-  isolation::Encoder encoder(memory);
+  host::SharedBuffer memory("corpus");
+  host::Encoder encoder(memory);
   encoder.putAll(values...);
   return {reinterpret_cast<const char*>(memory.view(encoder.size())), encoder.size()};
 }
@@ -180,7 +180,7 @@ void writeAnswer(const fs::path& folder, const char* name, int call, const T&...
 
 /// As wire_calls reads it.
 template <class... T>
-void writeCall(const fs::path& folder, const char* name, Role role, isolation::Call call,
+void writeCall(const fs::path& folder, const char* name, Role role, host::Call call,
                const T&... arguments) {
   std::string bytes(1, static_cast<char>(role));
   bytes += static_cast<char>(call);
@@ -237,7 +237,7 @@ void writeAnswers(const fs::path& folder) {
   writeAnswer(folder, "info", 6, smallRun().source);
   writeAnswer(folder, "revisions", 7, motionWithPoints().revisions);
   writeAnswer(folder, "finding", 8,
-              isolation::textOf({Finding::Severity::Note, "file:1", "fine", "", {}}));
+              host::textOf({Finding::Severity::Note, "file:1", "fine", "", {}}));
   writeAnswer(folder, "arrays", 9, arrays);
   writeAnswer(folder, "describe", 10, smallRun().arrays);
   writeAnswer(folder, "save", 11, std::string("state"));
@@ -251,7 +251,7 @@ void writeAnswers(const fs::path& folder) {
 }
 
 void writeCalls(const fs::path& folder) {
-  using isolation::Call;
+  using host::Call;
   const Frame frame = frameWithImage();
   const Motion motion = motionWithPoints();
   const PlaceObservation view = fuzz::seenView(0, Recognition::Novel, 0);
@@ -271,9 +271,9 @@ void writeCalls(const fs::path& folder) {
   writeCall(folder, "finish_observer", Role::Observer, Call::FinishObserver, smallGraph());
   const ParameterValues parameters = {{"rate", 2.5}, {"path", std::string("/data")}, {"on", true}};
   writeCall(folder, "configure", Role::Map, Call::Configure,
-            isolation::ContextMessage{parameters, smallRun().source.rig, 1, "map", false, true});
+            host::ContextMessage{parameters, smallRun().source.rig, 1, "map", false, true});
   writeCall(folder, "load", Role::Map, Call::Load,
-            isolation::LoadMessage{"/plugins/map.so", "map", "", 100, 2});
+            host::LoadMessage{"/plugins/map.so", "map", "", 100, 2});
 }
 
 /// A shared library that is nothing but a header, a manifest and their sections.

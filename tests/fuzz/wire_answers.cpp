@@ -14,7 +14,7 @@
 namespace {
 
 using namespace tolman;
-using isolation::Decoder;
+using host::Decoder;
 
 /// Reads status and results as ProcessHandle does.
 template <class... T>
@@ -22,9 +22,9 @@ Status answerTo(Decoder& decoder, T&... results) {
   try {
     const auto status = decoder.next<Status>();
     if (status.isOk()) decoder.getAll(results...);
-    if (decoder.remaining() > 0) throw isolation::MalformedMessage("bytes follow its end");
+    if (decoder.remaining() > 0) throw host::MalformedMessage("bytes follow its end");
     return status;
-  } catch (const isolation::MalformedMessage& error) {
+  } catch (const host::MalformedMessage& error) {
     return Status::failed(error.what());
   }
 }
@@ -129,7 +129,7 @@ void readOthers(int call, Decoder& decoder) {
   bool second = false;
   if (call == 8) {
     const auto status = answerTo(decoder, text);
-    if (status.isOk()) (void)isolation::findingOf(text);
+    if (status.isOk()) (void)host::findingOf(text);
   }
   if (call == 9) (void)answerTo(decoder, arrays);
   if (call == 10) (void)answerTo(decoder, infos);
@@ -144,7 +144,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::Input input({data, size});
   const int call = input.take<std::uint8_t>() % 14;
   const auto claimed = input.take<std::uint64_t>();
-  isolation::SharedBuffer memory("answers");
+  host::SharedBuffer memory("answers");
   const fuzz::Bytes bytes = input.rest();
   if (!bytes.empty()) std::memcpy(memory.reserve(bytes.size()), bytes.data(), bytes.size());
   constexpr std::uint64_t kMax = 16U << 20U;  // isolation.memory_limit

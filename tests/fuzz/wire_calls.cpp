@@ -57,35 +57,35 @@ class Quiet final : public Source,
 };
 
 template <class RoleType>
-isolation::Handlers handlersOf(Role role, Quiet& plugin) {
+host::Handlers handlersOf(Role role, Quiet& plugin) {
   PluginObject object{static_cast<RoleType*>(&plugin)};
   object.state = &plugin;
-  return isolation::handlersOf(role, object);
+  return host::handlersOf(role, object);
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static Quiet plugin;
-  static const std::array<isolation::Handlers, 6> kHandlers = {
+  static const std::array<host::Handlers, 6> kHandlers = {
       handlersOf<Source>(Role::Source, plugin), handlersOf<Odometry>(Role::Odometry, plugin),
       handlersOf<Place>(Role::Place, plugin),   handlersOf<Cells>(Role::Cells, plugin),
       handlersOf<Map>(Role::Map, plugin),       handlersOf<Observer>(Role::Observer, plugin)};
-  static isolation::SharedBuffer answers("answers");
+  static host::SharedBuffer answers("answers");
   fuzz::Input input({data, size});
   const std::size_t role = input.take<std::uint8_t>() % kHandlers.size();
-  const auto call = static_cast<isolation::Call>(input.take<std::uint8_t>());
+  const auto call = static_cast<host::Call>(input.take<std::uint8_t>());
   const fuzz::Bytes bytes = input.rest();
-  isolation::Decoder decoder(reinterpret_cast<const std::byte*>(bytes.data()), bytes.size());
-  isolation::Encoder encoder(answers);
+  host::Decoder decoder(reinterpret_cast<const std::byte*>(bytes.data()), bytes.size());
+  host::Encoder encoder(answers);
   try {
-    isolation::ContextMessage context;
-    isolation::LoadMessage load;
+    host::ContextMessage context;
+    host::LoadMessage load;
     const auto found = kHandlers.at(role).find(call);
     if (found != kHandlers.at(role).end()) found->second(decoder, encoder);
-    if (call == isolation::Call::Configure) decoder.get(context);
-    if (call == isolation::Call::Load) decoder.get(load);
-  } catch (const isolation::MalformedMessage&) {  // ends the process
+    if (call == host::Call::Configure) decoder.get(context);
+    if (call == host::Call::Load) decoder.get(load);
+  } catch (const host::MalformedMessage&) {  // ends the process
   }
   return 0;
 }

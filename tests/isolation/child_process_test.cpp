@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-using namespace tolman::isolation;
+using namespace tolman::host;
 using std::chrono::milliseconds;
 
 namespace {

@@ -8,7 +8,7 @@
 #include "host/calls.hpp"
 
 using namespace tolman;
-using namespace tolman::isolation;
+using namespace tolman::host;
 
 namespace {
 

@@ -16,24 +16,25 @@ using namespace tolman::test;
 
 namespace {
 
-isolation::LaunchOptions launch(double deadline_s = 60, std::uint64_t memory_mib = 4096) {
+host::LaunchOptions launch(double deadline_s = 60, std::uint64_t memory_mib = 4096) {
   return {{inBuild("bin/tolman"), "run-stage"}, deadline_s, memory_mib, 1};
 }
 
-host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> startFrom(
-    const std::filesystem::path& library, const std::string& id,
-    const isolation::LaunchOptions& how) {
+host::OrRefusal<std::shared_ptr<host::RemotePlugin>> startFrom(const std::filesystem::path& library,
+                                                               const std::string& id,
+                                                               const host::LaunchOptions& how) {
   auto manifests = host::readManifests(library);
   REQUIRE(std::holds_alternative<std::vector<host::Manifest>>(manifests));
   for (const auto& manifest : std::get<std::vector<host::Manifest>>(manifests)) {
-    if (manifest.id == id) return isolation::RemotePlugin::start(manifest, how);
+    if (manifest.id == id) return host::RemotePlugin::start(manifest, how);
   }
   FAIL("no plugin " << id << " in " << library);
   return host::Refusal{};
 }
 
-host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> start(
-    const std::string& library, const std::string& id, const isolation::LaunchOptions& how) {
+host::OrRefusal<std::shared_ptr<host::RemotePlugin>> start(const std::string& library,
+                                                           const std::string& id,
+                                                           const host::LaunchOptions& how) {
   return startFrom(fixtureFile(library), id, how);
 }
 
@@ -41,25 +42,24 @@ host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> start(
 template <class Stage>
 struct Isolated {
   Isolated(const std::string& library, const std::string& id,
-           const isolation::LaunchOptions& how = launch(), bool restart = false)
+           const host::LaunchOptions& how = launch(), bool restart = false)
       : Isolated(started(library, id, how), restart) {}
-  Isolated(std::shared_ptr<isolation::RemotePlugin> plugin, bool restart)
-      : remote(std::move(plugin)) {
-    auto created = isolation::instantiate(remote, "stage");
+  Isolated(std::shared_ptr<host::RemotePlugin> plugin, bool restart) : remote(std::move(plugin)) {
+    auto created = host::instantiate(remote, "stage");
     REQUIRE(std::holds_alternative<std::unique_ptr<host::Instance>>(created));
     stage = std::make_unique<Stage>(std::move(std::get<std::unique_ptr<host::Instance>>(created)));
     if (restart) REQUIRE(remote->enableRestart());
     REQUIRE(stage->instance().configure(context).isOk());
   }
-  static std::shared_ptr<isolation::RemotePlugin> started(const std::string& library,
-                                                          const std::string& id,
-                                                          const isolation::LaunchOptions& how) {
+  static std::shared_ptr<host::RemotePlugin> started(const std::string& library,
+                                                     const std::string& id,
+                                                     const host::LaunchOptions& how) {
     auto started = start(library, id, how);
-    REQUIRE(std::holds_alternative<std::shared_ptr<isolation::RemotePlugin>>(started));
-    return std::get<std::shared_ptr<isolation::RemotePlugin>>(started);
+    REQUIRE(std::holds_alternative<std::shared_ptr<host::RemotePlugin>>(started));
+    return std::get<std::shared_ptr<host::RemotePlugin>>(started);
   }
   TestContext context;
-  std::shared_ptr<isolation::RemotePlugin> remote;
+  std::shared_ptr<host::RemotePlugin> remote;
   std::unique_ptr<Stage> stage;
 };
 
@@ -81,7 +81,7 @@ Status drive(host::OdometryStage& stage, Motion& motion) {
 }
 
 std::string messageOf(const std::string& library, const std::string& id,
-                      const isolation::LaunchOptions& how = launch()) {
+                      const host::LaunchOptions& how = launch()) {
   const Isolated<host::OdometryStage> isolated(library, id, how);
   Motion motion;
   return drive(*isolated.stage, motion).message();
@@ -228,7 +228,7 @@ TEST_CASE("a plugin whose library was replaced meanwhile is not started again") 
   const auto library = folder.path() / "tolman_place_dies_once.so";
   std::filesystem::copy_file(fixtureFile("role_faults"), library);
   auto started = startFrom(library, "dies_often", launch());
-  auto& remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(started);
+  auto& remote = std::get<std::shared_ptr<host::RemotePlugin>>(started);
   Isolated<host::PlaceStage> crashing(remote, true);
   std::filesystem::copy_file(library, folder.path() / "built.so");
   std::filesystem::rename(folder.path() / "built.so", library);
@@ -257,7 +257,7 @@ TEST_CASE("the number of restarts is limited") {
 
 TEST_CASE("place recognition without saved state cannot be restarted") {
   auto places = start("role_faults", "skips_template_ids", launch());
-  auto& remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(places);
+  auto& remote = std::get<std::shared_ptr<host::RemotePlugin>>(places);
   REQUIRE_FALSE(remote->create().has_value());
   CHECK_FALSE(remote->enableRestart());
 }

@@ -7,7 +7,7 @@
 
 #include "host/channel.hpp"
 
-using tolman::isolation::SharedBuffer;
+using tolman::host::SharedBuffer;
 
 TEST_CASE("growing keeps what was written") {
   SharedBuffer buffer("test");

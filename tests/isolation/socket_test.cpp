@@ -6,7 +6,7 @@
 
 #include "host/channel.hpp"
 
-using namespace tolman::isolation;
+using namespace tolman::host;
 using std::chrono::milliseconds;
 
 TEST_CASE("messages arrive complete, in order, with their text") {

@@ -8,9 +8,9 @@
 
 #include "host/channel.hpp"
 
-using tolman::isolation::ChildProcess;
-using tolman::isolation::placeInStack;
-using tolman::isolation::StackReport;
+using tolman::host::ChildProcess;
+using tolman::host::placeInStack;
+using tolman::host::StackReport;
 
 namespace {
 
