@@ -38,16 +38,15 @@ std::string textOf(const Table& table, const std::string& format) {
   return format == "csv" ? experiment::csvOf(table) : experiment::markdownOf(table);
 }
 
-/// "a=b" as a pair; `option` for the message.
-std::pair<std::string, std::string> pairOf(const std::string& text, const char* option) {
-  const auto equals = text.find('=');
-  if (equals != std::string::npos) return {text.substr(0, equals), text.substr(equals + 1)};
-  fail(ExitCode::Usage, std::string("write ") + option);
-}
-
 std::string bytesOf(const std::string& svg, const std::string& file) {
   if (file.ends_with(".png")) return valueOf(report::pngOf(svg, 4));
   return file.ends_with(".pdf") ? valueOf(report::pdfOf(svg)) : svg;
+}
+
+/// Of the figures that are written.
+std::string isFigure(const std::string& file) {
+  const bool is_known = file.ends_with(".svg") || file.ends_with(".pdf") || file.ends_with(".png");
+  return is_known ? "" : file + ": figures are .svg, .pdf or .png";
 }
 
 std::string comparisonText(CompareCommand& command, const std::vector<experiment::RunRow>& rows,
@@ -58,10 +57,10 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
     command.pivot.mixed_coverage = command.options.mixed_coverage;
     if (command.pivot.cell.empty()) command.pivot.cell = "{" + command.options.metric + ":.3g}";
     for (const std::string& head : command.heads) {
-      command.pivot.heads.push_back(pairOf(head, "--head LABEL=CELL"));
+      command.pivot.heads.push_back(sidesOf(head));
     }
     for (const std::string& value : command.values) {
-      command.pivot.values.push_back(pairOf(value, "--value HEADING=CELL"));
+      command.pivot.values.push_back(sidesOf(value));
     }
     return textOf(valueOf(experiment::pivotOf(rows, command.pivot)), command.format);
   }
@@ -74,38 +73,14 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
   return textOf(comparison, command.format);
 }
 
-/// Refuses figures of other formats, one file for two outputs, and outputs in the runs that are
-/// compared, or over their tables.
-void refuseFiles(const CompareCommand& command) {
-  std::vector<std::filesystem::path> files;
-  if (!command.out.path.empty()) files.push_back(record::truePath(command.out.path));
-  for (const std::string& figure : command.figures) {
-    if (!figure.ends_with(".svg") && !figure.ends_with(".pdf") && !figure.ends_with(".png")) {
-      fail(ExitCode::Usage, figure + ": figures are .svg, .pdf or .png");
-    }
-    files.push_back(record::truePath(figure));
-  }
-  std::ranges::sort(files);
-  const auto twice = std::ranges::adjacent_find(files);
-  if (twice != files.end()) {
-    fail(ExitCode::Usage, twice->string() + ": is given for two outputs; give each its own");
-  }
-  for (const std::string& run : command.runs) {
-    const auto input = record::truePath(run);
-    if (std::ranges::find(files, input) == files.end()) continue;
-    fail(ExitCode::Usage, run + ": is compared; choose another file for the output");
-  }
-}
-
 void compare(CompareCommand& command, const Invocation& invocation) {
-  refuseFiles(command);
   refuseExisting({command.figures.begin(), command.figures.end()}, command.out.replace, "--figure");
   if (!command.out.path.empty()) {
     refuseExisting({command.out.path}, command.out.replace, "--out");
   }
   if (command.format.empty()) command.format = invocation.json ? "json" : "markdown";
   for (const std::string& only : command.only) {
-    command.options.only.push_back(pairOf(only, "--only FACTOR=LABEL"));
+    command.options.only.push_back(sidesOf(only));
   }
   const auto rows = valueOf(experiment::readRunRows({command.runs.begin(), command.runs.end()}));
   if (rows.empty()) fail(ExitCode::Dataset, "no run is done");
@@ -133,6 +108,7 @@ void addPivotOptions(CLI::App& command, CompareCommand& options) {
   columns->check(notEmpty)->excludes("--figure");
   addList(command, "--value", options.values, "HEADING=FORMAT",
           "A column of these cells, instead of statistics (repeatable)")
+      ->check(isAssignment)
       ->excludes("--figure")
       ->excludes(columns);
   addList(command, "--over", options.pivot.over, "FACTOR",
@@ -142,6 +118,7 @@ void addPivotOptions(CLI::App& command, CompareCommand& options) {
       ->needs(columns);
   addList(command, "--head", options.heads, "LABEL=FORMAT",
           "A row before the others, with another cell, of the runs of the first (repeatable)")
+      ->check(isAssignment)
       ->needs(columns);
 }
 
@@ -158,7 +135,8 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
   addList(command, "--by", options->options.by, "FACTOR",
           "Factor whose levels are compared (repeatable; default: all but sequence and seed)");
   addList(command, "--only", options->only, "FACTOR=LABEL",
-          "Only runs with this label (repeatable; labels of one factor are alternatives)");
+          "Only runs with this label (repeatable; labels of one factor are alternatives)")
+      ->check(isAssignment);
   addOption(command, "--baseline", options->options.baseline, "LABEL",
             "Level that the others are paired with");
   command.add_flag("--mixed-coverage", options->options.mixed_coverage,
@@ -169,7 +147,7 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
                    "Replace the files of --out and --figure");
   addList(command, "--figure", options->figures, "FILE",
           "Figure to write, .svg, .pdf or .png (repeatable)")
-      ->check(notEmpty);
+      ->check(isFigure);
   addPivotOptions(command, *options);
   const auto& kinds = experiment::kFigureKindNames;
   addChoice(command, "--kind", options->kind, {kinds.begin(), kinds.end()},

@@ -2,7 +2,6 @@
 // tolman dataset check: checks a data set and lists all problems.
 #include <fmt/format.h>
 
-#include <array>
 #include <iostream>
 
 #include "app/options.hpp"
@@ -25,14 +24,6 @@ struct CheckCommand {
   std::int64_t frames = 0;          ///< at most; 0: all
 };
 
-/// Whether a value of --set is a key of the host for the images, not a parameter of the source.
-bool isOfHost(const std::string& override) {
-  constexpr std::array kSections = {"images", "rectification"};
-  return std::ranges::any_of(kSections, [&](const std::string key) {
-    return override.starts_with(key + ".") || override.starts_with(key + "=");
-  });
-}
-
 std::string sourceOf(const CheckCommand& command) {
   if (!command.source.empty()) return command.source;
   const std::string& path = command.path;
@@ -47,7 +38,7 @@ std::string sourceOf(const CheckCommand& command) {
                               "(`tolman plugins list`)");
 }
 
-/// The source stage alone.
+/// The source stage alone. Keys of the host for the images are no parameters of the source.
 engine::SystemOptions systemOf(const CheckCommand& command, const Invocation& invocation) {
   engine::SystemOptions options{"", {}, invocation.plugin_paths};
   options.overrides = {"source.plugin=" + config::writeText(sourceOf(command))};
@@ -55,39 +46,35 @@ engine::SystemOptions systemOf(const CheckCommand& command, const Invocation& in
     options.overrides.push_back("source.path=" + config::writeText(command.path));
   }
   for (const std::string& value : command.values) {
-    options.overrides.push_back((isOfHost(value) ? "" : "source.") + value);
+    const std::string section = value.substr(0, value.find_first_of(".="));
+    const bool is_of_host = section == "images" || section == "rectification";
+    options.overrides.push_back((is_of_host ? "" : "source.") + value);
   }
   return options;
 }
 
-/// What a run would say of the cameras before its first frame.
-Status lookAtCameras(engine::RectifiedSource& source, SourceInfo& info,
-                     FindingCollector& findings) {
-  const Status status = source.info(info);
+/// Reads the cameras and the frames as a run would, and reports what it would of them.
+Status readAll(engine::RectifiedSource& source, std::int64_t most, FindingCollector& findings) {
+  SourceInfo info;
+  Status status = source.info(info);
   if (!status.isOk()) return status;
   findings.add({Severity::Note, "", info.description});
   for (const std::string& doubt : source.doubts()) {
     findings.add({Severity::Warning, "cameras", doubt});
   }
-  return status;
-}
-
-/// Reads the frames as a run would, and reports what it would of them.
-void readFrames(engine::RectifiedSource& source, std::int64_t most, FindingCollector& findings) {
   constexpr std::int64_t kOfEndless = 10;
   if (most == 0) most = source.isEndless() ? kOfEndless : INT64_MAX;
   engine::FrameCheck images;
-  Status status;
   std::int64_t frames = 0;
   std::int64_t defects = 0;
   for (; frames < most; ++frames) {
     Frame frame;
     status = source.next(frame);
     if (!status.isOk()) break;
+    if (!frame.defect.empty()) ++defects;
     if (const auto fault = images.check(frame)) {
       findings.add({Severity::Warning, "images", *fault, "", Finding::Kind::Contradiction});
     }
-    if (!frame.defect.empty()) ++defects;
   }
   if (const std::string rows = images.rowsText(); !rows.empty()) {
     findings.add({Severity::Note, "images", rows});
@@ -99,6 +86,7 @@ void readFrames(engine::RectifiedSource& source, std::int64_t most, FindingColle
   const bool failed = !status.isOk() && status.code() != StatusCode::EndOfStream;
   findings.add({failed ? Severity::Error : Severity::Note, "",
                 failed ? status.message() : fmt::format("{} frames decode", frames - defects)});
+  return Status::ok();
 }
 
 /// Prints each kind of findings once, with their number. Whether there is no error.
@@ -143,9 +131,7 @@ ExitCode check(const CheckCommand& command, const Invocation& invocation) {
                                                1,
                                                "source"});
   if (interrupts.requested()) return ExitCode::Interrupted;
-  SourceInfo info;
-  if (status.isOk()) status = lookAtCameras(source, info, findings);
-  if (status.isOk()) readFrames(source, command.frames, findings);
+  if (status.isOk()) status = readAll(source, command.frames, findings);
   if (!print(all, invocation.json)) return ExitCode::Dataset;  // they say why configure() failed
   engine::require(status, engine::FailureKind::Dataset);
   return ExitCode::Ok;

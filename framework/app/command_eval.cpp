@@ -25,11 +25,6 @@ void warn(const std::string& text, const Invocation& invocation) {
   if (!invocation.quiet) std::cerr << "warning: " + text + "\n";
 }
 
-/// How many poses a file has, for messages.
-std::string countText(const std::string& file, const evaluation::Trajectory& trajectory) {
-  return fmt::format("{} has {} poses", file, trajectory.size());
-}
-
 /// Poses are matched by their order: refuses where the numbers of poses show that those of equal
 /// number are of different times, warns where that may be so.
 void checkOrder(const EvalOptions& options, const evaluation::Trajectory& truth,
@@ -42,8 +37,8 @@ void checkOrder(const EvalOptions& options, const evaluation::Trajectory& truth,
          invocation);
   }
   if (truth.size() == estimate.size() || truth.size() < 2 || estimate.size() < 2) return;
-  const std::string counts =
-      countText(options.estimate, estimate) + " and " + countText(options.truth, truth);
+  const std::string counts = fmt::format("{} has {} poses and {} has {}", options.estimate,
+                                         estimate.size(), options.truth, truth.size());
   if (with_stamps == 1) {  // at another rate all errors would be wrong
     fail(ExitCode::Dataset,
          counts +
@@ -91,8 +86,7 @@ void evaluate(const EvalOptions& options, const Invocation& invocation) {
   if (invocation.json) {
     std::cout << jsonText(evaluation::toJson(metrics));
   } else {
-    std::cout << fmt::format("{:<10}{}\n", "alignment", options.alignment)
-              << trajectoryText("estimate", metrics);
+    std::cout << row("alignment", options.alignment) << trajectoryText("estimate", metrics);
   }
 }
 

@@ -1,59 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plugins: `list` (opens no plugin), `describe` (opens the plugins that it describes) and
-// `doctor` (opens one file, step by step). `new` and `validate` have source files of their own.
+// tolman plugins: `list` (opens no plugin), `describe` (opens the plugins that it describes),
+// `validate` (runs the checks of the conformance kit) and `doctor` (the checks of the opening
+// alone).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "app/options.hpp"
 #include "app/parameter_text.hpp"
+#include "conformance/kit.hpp"
 #include "engine/assembly.hpp"
 #include "host/gate.hpp"
 #include "host/remote_plugin.hpp"
+#include "host/scratch_folder.hpp"
 
 namespace tolman::app {
 namespace {
 
-using host::HostIdentity;
+using conformance::CheckResult;
+using conformance::CheckSeverity;
+using conformance::ConformanceReport;
+using conformance::KitOptions;
 using host::Manifest;
 using host::Refusal;
+using Json = nlohmann::ordered_json;
 
-void listJson(const host::Catalogue& catalogue) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const Manifest& m : catalogue.manifests()) {
-    const auto refusal = host::checkGate(m, HostIdentity::ofThisBuild());
+void list(Invocation& invocation) {
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
+  Json json = Json::array();
+  std::string text;
+  const auto add = [&](std::string_view role, const Manifest& m) {
+    const auto refusal = host::checkGate(m, host::HostIdentity::ofThisBuild());
+    text += fmt::format("{:<9} {:<22} {:<7} {}\n", role, m.id, m.version,
+                        refusal ? "refused: " + refusal->id : m.summary);
+    if (!m.programs.empty()) return;
     json.push_back({{"id", m.id},
-                    {"role", enumName(m.role)},
+                    {"role", role},
                     {"version", m.version},
                     {"summary", m.summary},
                     {"file", m.file.string()},
                     {"refusal", refusal ? refusal->id : ""}});
-  }
-  std::cout << jsonText(json);
-}
-
-void list(Invocation& invocation) {
-  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
-  if (invocation.json) return listJson(catalogue);
+  };
   for (const std::string_view role : kRoleNames) {
     for (const Manifest& m : catalogue.manifests()) {
-      if (enumName(m.role) != role) continue;
-      const auto refusal = host::checkGate(m, HostIdentity::ofThisBuild());
-      std::cout << fmt::format("{:<9} {:<22} {:<7} {}\n", role, m.id, m.version,
-                               refusal ? "refused: " + refusal->id : m.summary);
+      if (enumName(m.role) == role) add(role, m);
     }
   }
-  for (const Manifest& m : catalogue.interpreters()) {
-    std::cout << fmt::format("{:<9} {:<22} {:<7} {}\n", "any", m.id, m.version, m.summary);
-  }
+  for (const Manifest& m : catalogue.interpreters()) add("any", m);
   for (const auto& library : catalogue.broken()) {
-    std::cout << fmt::format("{:<9} {:<22} refused: {}\n", "-", library.file.filename().string(),
-                             library.refusal.id);
+    text += fmt::format("{:<9} {:<22} refused: {}\n", "-", library.file.filename().string(),
+                        library.refusal.id);
   }
+  std::cout << (invocation.json ? jsonText(json) : text);
 }
 
 /// The arguments of `describe`.
@@ -63,10 +64,10 @@ struct Description {
   bool json_schema = false;
 };
 
-/// Opens a library in a process of its own, because it may crash or block.
-auto openApart(const Manifest& manifest) {
+/// Opens a plugin in a process of its own, because it may crash or block.
+auto openApart(const Manifest& manifest, double deadline_s = 10) {
   host::LaunchOptions launch{engine::SystemOptions{}.stage_program};
-  launch.deadline_s = 10;  // usually it takes milliseconds
+  launch.deadline_s = deadline_s;
   return host::RemotePlugin::start(manifest, launch);
 }
 
@@ -77,8 +78,7 @@ host::LoadedPlugin open(const host::Catalogue& catalogue, const std::string& id)
 }
 
 /// All installed plugins that this host can use.
-std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
-  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
+std::vector<host::LoadedPlugin> openUsable(const host::Catalogue& catalogue) {
   std::set<std::string> ids;
   for (const Manifest& manifest : catalogue.manifests()) ids.insert(manifest.id);
   std::vector<host::LoadedPlugin> opened;
@@ -93,71 +93,135 @@ std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
 }
 
 void describe(const Description& asked, Invocation& invocation) {
+  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   if (asked.ids.empty()) {
     if (!asked.json_schema) throw CLI::RequiredError("id");
-    std::cout << jsonText(fileSchema(openUsable(invocation)));
+    std::cout << jsonText(fileSchema(openUsable(catalogue)));
     return;
   }
-  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
   std::vector<host::LoadedPlugin> loaded;
   for (const std::string& id : asked.ids) loaded.push_back(open(catalogue, id));
   if (asked.json_schema) {
     std::cout << jsonText(stageSchema(loaded));
-    return;
-  }
-  if (invocation.json) {  // one plugin as an object, several as a list
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  } else if (invocation.json) {  // one plugin as an object, several as a list
+    Json json = Json::array();
     for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
     std::cout << jsonText(loaded.size() == 1 ? json.front() : json);
-    return;
-  }
-  std::string separator;
-  for (const host::LoadedPlugin& plugin : loaded) {
-    std::cout << std::exchange(separator, "\n")
-              << (asked.markdown ? parametersMarkdown(plugin) : parametersText(plugin));
+  } else {
+    std::string separator;
+    for (const host::LoadedPlugin& plugin : loaded) {
+      std::cout << std::exchange(separator, "\n")
+                << (asked.markdown ? parametersMarkdown(plugin) : parametersText(plugin));
+    }
   }
 }
 
-/// Tests the gate, opens the library and constructs the plugin. Prints each step that succeeds;
-/// returns the reason if one fails.
-std::optional<Refusal> examine(const Manifest& manifest) {
-  const std::string role =
-      manifest.programs.empty() ? "role " + std::string(enumName(manifest.role)) : "any role";
-  std::cout << fmt::format("manifest   {} {} of {}, SDK {}.{}\n           {}\n", manifest.id,
-                           manifest.version, role, manifest.sdk_major, manifest.sdk_minor,
-                           manifest.fingerprint);
-  if (auto refusal = host::checkGate(manifest, HostIdentity::ofThisBuild())) return refusal;
-  std::cout << "gate       passed\n";
-  const auto opened = openApart(manifest);
-  if (const auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
-  host::RemotePlugin& plugin = *std::get<std::shared_ptr<host::RemotePlugin>>(opened);
-  std::cout << fmt::format("open       all symbols resolved, {} parameters\n",
-                           plugin.schema().size());
-  if (const auto refusal = plugin.create()) return *refusal;
-  const Status destroyed = plugin.destroy();
-  if (!destroyed.isOk()) {
-    return Refusal{"plugin/destroy-failed", destroyed.message(), "a destructor must not throw"};
+/// The plugins of the file that are asked for: all of a library, or the one of --id. A program is
+/// opened in a process of its own: only then is its role known.
+host::OrRefusal<std::vector<Manifest>> pluginsIn(const KitOptions& options,
+                                                 const Invocation& invocation) {
+  const std::string suffix = std::filesystem::path(options.file).extension();
+  if (!suffix.empty() && suffix != ".so") {
+    const auto found = engine::openCatalogue(invocation.plugin_paths).program(options.file);
+    if (const auto* refusal = std::get_if<Refusal>(&found)) return *refusal;
+    const auto opened = openApart(std::get<Manifest>(found), options.timeout);
+    if (const auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
+    return std::vector{std::get<std::shared_ptr<host::RemotePlugin>>(opened)->manifest()};
   }
-  std::cout << "construct  made and destroyed\n";
-  return std::nullopt;
+  auto read = host::readManifests(options.file);
+  auto* manifests = std::get_if<std::vector<Manifest>>(&read);
+  if (manifests == nullptr || options.id.empty()) return read;
+  std::string known;
+  for (const Manifest& manifest : *manifests) {
+    if (manifest.id == options.id) return std::vector{manifest};
+    known += (known.empty() ? "" : ", ") + manifest.id;
+  }
+  return Refusal{"plugin/not-found", options.file + " has no plugin '" + options.id + "'",
+                 "it has: " + known};
 }
 
-/// Manifests of a library, or of a program for an interpreter. Throws engine::Failed.
-std::vector<Manifest> manifestsOf(const std::string& file, const Invocation& invocation) {
-  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
-  const std::string suffix = std::filesystem::path(file).extension();
-  const bool is_program = std::ranges::any_of(
-      catalogue.interpreters(), [&](const Manifest& m) { return m.programs == suffix; });
-  if (is_program) return {engine::require(catalogue.program(file))};
-  return engine::require(host::readManifests(file));
+/// The report of a file without a readable manifest.
+ConformanceReport refused(const KitOptions& options, const Refusal& refusal) {
+  const CheckResult manifest{
+      "manifest",
+      1,
+      "a manifest that can be read without opening the library",
+      0,
+      {{CheckSeverity::Error, "[" + refusal.id + "] " + refusal.message, refusal.remedy}}};
+  return {options.file, options.id, "", options.level, options.seed, {manifest}};
 }
 
-void doctor(const std::string& file, Invocation& invocation) {
-  for (const Manifest& manifest : manifestsOf(file, invocation)) {
-    const auto refusal = examine(manifest);
-    if (refusal)
-      invocation.exit_code = printFailure(exitCode(engine::kindOf(*refusal)), refusal->text());
+ExitCode codeOf(const ConformanceReport& report) {
+  if (report.conforms()) return ExitCode::Ok;
+  const CheckResult& last = report.checks.back();
+  const bool settings = last.check == "settings" && last.severity() == CheckSeverity::Error;
+  return settings ? ExitCode::Configuration : ExitCode::Plugin;
+}
+
+/// Runs checks on the plugins of a file and prints each result at once, with `summaries` behind
+/// those of each plugin.
+void validate(KitOptions options, bool summaries, Invocation& invocation) {
+  options.program = {thisProgram().string(), "plugins", "run-check"};
+  if (host::ScratchFolder("tolman-validate").path().empty()) {
+    throw engine::Failed({engine::FailureKind::Record, host::kNoScratchFolder});
   }
+  const auto print = [&](const CheckResult& result) {
+    const bool fault = result.severity() >= CheckSeverity::Warning;
+    if (!invocation.json && (fault || !invocation.quiet)) {
+      std::cout << conformance::text(result) << std::flush;
+    }
+  };
+  std::vector<ConformanceReport> reports;
+  const auto found = pluginsIn(options, invocation);
+  if (const auto* refusal = std::get_if<Refusal>(&found)) {
+    if (refusal->id == host::kNoProcess) engine::require(found);
+    reports.push_back(refused(options, *refusal));
+    print(reports.back().checks.back());
+  } else {
+    for (const Manifest& manifest : std::get<std::vector<Manifest>>(found)) {
+      options.file = manifest.file;
+      options.id = manifest.id;
+      options.program_file = manifest.program;
+      reports.push_back(conformance::validate(options, manifest.role, print));
+      if (summaries && !invocation.json) {
+        std::cout << conformance::summary(reports.back()) << std::flush;
+      }
+    }
+  }
+  Json all = Json::array();
+  for (const ConformanceReport& report : reports) {
+    all.push_back(conformance::json(report));
+    if (invocation.exit_code == ExitCode::Ok) invocation.exit_code = codeOf(report);
+  }
+  if (invocation.json) std::cout << jsonText(all);
+}
+
+void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
+  CLI::App& command =
+      *plugins.add_subcommand("validate", "Check whether a plugin keeps the contract");
+  auto options = std::make_shared<KitOptions>();
+  addArgument(command, "file", options->file, "FILE", "Library, *.so, or a program such as *.py");
+  addOption(command, "--id", options->id, "ID", "One plugin of the library; else all");
+  addOption(command, "--level", options->level, "1|2|3",
+            "1 contract, 2 reproducible results, 3 all checks")
+      ->check(CLI::Range(1, 3))
+      ->capture_default_str();
+  addOption(command, "--seed", options->seed, "N", "Seed of the images and random parameters")
+      ->capture_default_str();
+  addList(command, "--set", options->set, "NAME=VALUE", "A parameter, key=value (repeatable)");
+  addList(command, "--check", options->only, "NAME", "Only this check (repeatable)")
+      ->check(CLI::IsMember(conformance::checkIds()));
+  addOption(command, "--timeout", options->timeout, "S", "Seconds for each check")
+      ->check(positive)
+      ->capture_default_str();
+  addOption(command, "--memory", options->memory_mib, "MIB", "MiB for each check; 0 for no limit")
+      ->capture_default_str();
+  command.callback([options, &invocation] { validate(*options, true, invocation); });
+
+  CLI::App& inside = *plugins.add_subcommand("run-check", "Run one check (internal)")->group("");
+  auto task = std::make_shared<std::string>();
+  addArgument(inside, "task", *task, "TASK", "");
+  inside.callback([task] { conformance::runCheck(*task); });
 }
 
 }  // namespace
@@ -181,9 +245,11 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
 
   CLI::App& examining =
       *command.add_subcommand("doctor", "Test step by step whether a plugin library can be opened");
-  auto file = std::make_shared<std::string>();
-  addArgument(examining, "file", *file, "FILE", "Library (*.so), or program such as *.py");
-  examining.callback([file, &invocation] { doctor(*file, invocation); });
+  auto opening = std::make_shared<KitOptions>();
+  opening->only = {"manifest", "load", "life-unused"};
+  opening->timeout = 10;  // usually it takes milliseconds
+  addArgument(examining, "file", opening->file, "FILE", "Library (*.so), or program such as *.py");
+  examining.callback([opening, &invocation] { validate(*opening, false, invocation); });
 
   addPluginsNewCommand(command, invocation);
   addValidateCommand(command, invocation);

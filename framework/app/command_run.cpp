@@ -120,16 +120,9 @@ ExitCode rerun(const RerunCommand& command, const Invocation& invocation) {
   if (fs::equivalent(before, out, ignored)) {
     fail(ExitCode::Usage, out.string() + ": is the run itself; give another folder with --out");
   }
-  const fs::path config = before / "config.resolved.yaml";
-  if (!fs::exists(config, ignored)) {
-    fail(ExitCode::Configuration,
-         command.run + ": " +
-             config::absence(config,
-                             "is no run directory, it holds no config.resolved.yaml; give "
-                             "the folder that a run has written"));
-  }
+  const std::string config = configOfRun(before, ExitCode::Configuration);
   if (command.verify) (void)expectedDigests(before);
-  engine::SystemOptions system{config.string(), {}, invocation.plugin_paths};
+  engine::SystemOptions system{config, {}, invocation.plugin_paths};
   system.quiet = invocation.quiet;
   engine::RunOptions options;
   options.out = out;

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman sweep: many runs from one file.
+// tolman sweep: many runs from one file; and status, collect, archive and point, on its folder.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <thread>
 
 #include "app/options.hpp"
 #include "app/progress_line.hpp"
+#include "config/text.hpp"
+#include "config/values.hpp"
 #include "experiment/job_files.hpp"
 #include "experiment/local_jobs.hpp"
 #include "experiment/planner.hpp"
+#include "experiment/point_run.hpp"
+#include "experiment/run_table.hpp"
 #include "experiment/sweep_archive.hpp"
+#include "host/child_process.hpp"
+#include "host/scratch_folder.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_digest.hpp"
 
@@ -44,46 +51,32 @@ std::string jobsText(const experiment::JobsState& state) {
   return text;
 }
 
-/// Progress on stderr: on a terminal a table that is redrawn, otherwise a line for each run that
-/// has ended.
+/// Progress on stderr: on a terminal a line that is redrawn, otherwise one for each run that has
+/// ended.
 class SweepDisplay : public experiment::JobsListener {
  public:
   explicit SweepDisplay(Terminal terminal) : terminal_(terminal) {}
-  ~SweepDisplay() override { wipe(); }
-  SweepDisplay(const SweepDisplay&) = delete;
-  SweepDisplay& operator=(const SweepDisplay&) = delete;
 
   void onState(const experiment::JobsState& state) override {
-    constexpr double kRedraw = 0.2;       // s between two drawings
-    constexpr std::size_t kColumns = 78;  // most characters of a run's name
+    constexpr double kRedraw = 0.2;  // s between two drawings
     if (!terminal_.interactive || state.seconds - shown_s_ < kRedraw) return;
     shown_s_ = state.seconds;
-    wipe();
-    std::string text = jobsText(state) + "\n";
-    for (const std::string& name : state.running) text += "  " + name.substr(0, kColumns) + "\n";
-    std::cerr << text << std::flush;
-    drawn_ = 1 + state.running.size();
+    line_.show(jobsText(state) + ": " + config::listed(state.running));
   }
 
   void onEnd(const PlannedRun& run, const experiment::PointOutcome& outcome,
              const experiment::JobsState& state) override {
     const bool failed = outcome.state == PointState::Failed;
     if (!failed && (terminal_.interactive || terminal_.quiet)) return;
-    wipe();
-    shown_s_ = -1;
-    std::cerr << fmt::format("{:<20} {:<7} {:7.1f} s  {}\n", jobsText(state),
-                             enumName(outcome.state), outcome.wall_s, run.name);
-    if (failed) std::cerr << "    " << outcome.message << "\n";
+    line_.add(fmt::format("{:<20} {:<7} {:7.1f} s  {}", jobsText(state), enumName(outcome.state),
+                          outcome.wall_s, run.name) +
+              (failed ? "\n    " + outcome.message : ""));
   }
 
  private:
-  void wipe() {
-    for (; drawn_ > 0; --drawn_) std::cerr << "\x1b[1A\x1b[2K";
-  }
-
   Terminal terminal_;
-  std::size_t drawn_ = 0;  ///< lines of the table on the terminal
-  double shown_s_ = -1;    ///< time of the last drawing
+  StatusLine line_{std::cerr};
+  double shown_s_ = -1;  ///< time of the last drawing
 };
 
 /// State of the runs of a plan.
@@ -157,39 +150,33 @@ void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
   }
   if (invocation.quiet) return;
   const auto fronts = std::ranges::count_if(plan.runs, &PlannedRun::is_front_end);
-  const auto line = [](const char* name, const std::string& text) {
-    std::cout << fmt::format("{:<10}{}\n", name, text);
+  const std::size_t todo = progress.todo.size();
+  std::string text =
+      row("sweep",
+          fmt::format("{}: {} runs{}", plan.name, std::ssize(plan.runs) - fronts,
+                      fronts > 0 ? fmt::format(", after {} that they need", fronts) : "")) +
+      row("folder", out.string()) + row("done", std::to_string(progress.done));
+  const auto add = [&](std::size_t count, const char* name, const char* rest) {
+    if (count > 0) text += row(name, std::to_string(count) + rest);
   };
-  line("sweep",
-       fmt::format("{}: {} runs{}", plan.name, plan.runs.size() - static_cast<std::size_t>(fronts),
-                   fronts > 0 ? fmt::format(", after {} that they need", fronts) : ""));
-  line("folder", out.string());
-  line("done", std::to_string(progress.done));
-  if (progress.lost > 0) line("lost", fmt::format("tracking in {} of them", progress.lost));
-  if (progress.failed > 0) line("failed", fmt::format("{} (--retry)", progress.failed));
-  line("to do", std::to_string(progress.todo.size()));
-  if (progress.sharing > 0) {
-    line("shared",
-         fmt::format("{} of them take the answers of another run's front end, where there "
-                     "are images",
-                     progress.sharing));
-  }
-  if (progress.others > 0) {
-    line("left", fmt::format("{} runs in the folder are not in the file; they stay as they are",
-                             progress.others));
-  }
-  const auto jobs = static_cast<double>(std::max<std::size_t>(command.jobs, 1));
-  const double seconds = progress.run_s * static_cast<double>(progress.todo.size()) / jobs;
-  if (!progress.todo.empty()) {
-    line("time", seconds > 0
-                     ? fmt::format("about {} with {} at a time, from the runs that are done",
-                                   durationText(seconds), command.jobs)
-                     : std::string("not known before a run is done"));
+  add(progress.lost, "lost", " of them lost tracking");
+  add(progress.failed, "failed", " (--retry)");
+  text += row("to do", std::to_string(todo));
+  add(progress.sharing, "shared",
+      " of them take the answers of another run's front end, where there are images");
+  add(progress.others, "left", " runs in the folder are not in the file; they stay as they are");
+  const double seconds =
+      progress.run_s * static_cast<double>(todo) / static_cast<double>(command.jobs);
+  if (todo > 0) {
+    text += row("time", seconds > 0
+                            ? fmt::format("about {} with {} at a time, from the runs that are done",
+                                          durationText(seconds), command.jobs)
+                            : "not known before a run is done");
   }
   for (const std::string& path : plan.missing) {
-    std::cout << fmt::format("warning   {} does not exist: the runs that read it will fail\n",
-                             path);
+    text += row("warning", path + " does not exist: the runs that read it will fail");
   }
+  std::cout << text;
   if (!command.dry_run) return;
   for (const PlannedRun& run : progress.todo) std::cout << "  " << run.name << "\n";
 }
@@ -222,8 +209,7 @@ ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, con
   }
   if (interrupts.requested()) return ExitCode::Interrupted;
   if (!invocation.quiet && !invocation.json) {
-    std::cout << fmt::format("{:<10}{}\n", "ended",
-                             jobsText(state) + ", in " + durationText(state.seconds));
+    std::cout << row("ended", jobsText(state) + ", in " + durationText(state.seconds));
   }
   if (state.failed + progress.failed > 0) return ExitCode::PluginFailed;
   return state.lost + progress.lost > 0 ? ExitCode::TrackingLost : ExitCode::Ok;
@@ -265,12 +251,166 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
   failUnless(experiment::writePlanOrder(out, plan.runs));
   failUnless(experiment::writeKnownData(out, plan.data));
   if (command.write.empty()) return runJobs(command, progress, out, invocation);
-  const std::string program = fs::read_symlink("/proc/self/exe", error).string();
+  const auto words = pointCommand(thisProgram(), 0, command.retry, invocation);
   const auto written =
-      experiment::writeJobFiles(out, plan.name, progress.todo,
-                                pointCommand(program, 0, command.retry, invocation), command.write);
+      experiment::writeJobFiles(out, plan.name, progress.todo, words, command.write);
   printFiles(valueOf(written), invocation);
   return ExitCode::Ok;
+}
+
+// Commands on the folder of a sweep.
+
+/// The runs of the folder; fails if it has none.
+experiment::FrozenRuns runsOf(const std::string& folder, ExitCode code) {
+  experiment::FrozenRuns runs = experiment::frozenRuns(folder);
+  if (runs.empty()) {
+    fail(code, folder + ": " + config::absence(folder, "holds no runs of a sweep"));
+  }
+  return runs;
+}
+
+/// Warns of runs that failed or are not done: what is written is without them.
+void warnOfUnfinished(const fs::path& sweep) {
+  const std::string text = experiment::unfinishedText(sweep);
+  if (!text.empty()) std::cerr << "warning: " + text + "\n";
+}
+
+void runPoint(const std::string& folder, experiment::PointRunOptions& options,
+              Invocation& invocation) {
+  const engine::Interrupts interrupts;
+  options.plugin_paths = invocation.plugin_paths;
+  options.command_line = invocation.command_line;
+  options.quiet = invocation.quiet;
+  options.find_config = configFile;
+  options.exit_code = [](const engine::Outcome& o) { return static_cast<int>(exitCode(o)); };
+  options.failure_code = [](const engine::Failure& f) {
+    return static_cast<int>(exitCode(f.kind));
+  };
+  const auto outcome = experiment::runPoint(folder, options, interrupts);
+  if (!outcome.message.empty()) std::cerr << outcome.message << "\n";
+  invocation.exit_code = static_cast<ExitCode>(outcome.exit_code);
+  if (outcome.state == PointState::Interrupted) invocation.exit_code = ExitCode::Interrupted;
+  // Its files are damaged, exchanged, or of another run, whatever it ended with.
+  const bool is_damaged = outcome.state == PointState::Failed && outcome.exit_code == 0;
+  if (is_damaged) invocation.exit_code = ExitCode::PluginFailed;
+}
+
+void printStatus(const std::string& folder, const Invocation& invocation) {
+  const experiment::FrozenRuns runs = runsOf(folder, ExitCode::Usage);
+  std::map<PointState, int> counts;
+  int lost = 0;
+  auto list = nlohmann::ordered_json::array();
+  std::string failed;
+  for (const PlannedRun& run : runs.planned) {
+    const auto outcome = experiment::outcomeOf(fs::path(folder) / run.folder);
+    ++counts[outcome.state];
+    list.push_back({{"name", run.name},
+                    {"folder", run.folder},
+                    {"state", enumName(outcome.state)},
+                    {"exit_code", outcome.exit_code},
+                    {"message", outcome.message},
+                    {"wall_s", outcome.wall_s}});
+    if (outcome.lostTracking()) ++lost;
+    if (outcome.message.empty() && !outcome.lostTracking()) continue;
+    failed += "  " + run.name + "\n    " + outcome.message + "\n";
+  }
+  for (const std::string& missing : runs.missing) {
+    list.push_back({{"name", ""}, {"folder", missing}, {"state", "missing"}});
+    failed += "  " + missing + "\n";
+  }
+  if (invocation.json) {
+    std::cout << jsonText(list);
+    return;
+  }
+  const auto line = [](std::string_view name, std::size_t count, const char* text) {
+    if (count > 0) std::cout << fmt::format("{:<13}{}{}\n", name, count, text);
+  };
+  for (const auto& [state, count] : counts) line(enumName(state), count, "");
+  line("lost", lost, " of those that are done lost tracking");
+  line("missing", runs.missing.size(), " without a readable point.json");
+  line("not counted", runs.earlier.size(), " of earlier plans");
+  std::cout << failed;
+}
+
+/// collect and archive.
+struct FolderCommand {
+  std::string sweep;
+  Output out;
+  std::vector<std::string> metrics;
+};
+
+void collect(const FolderCommand& command, const Invocation& invocation) {
+  const std::string& out = command.out.path;
+  if (!out.empty()) refuseExisting({out}, command.out.replace, "--out");
+  const auto rows = valueOf(experiment::readRunRows({command.sweep}));
+  warnOfUnfinished(command.sweep);
+  if (rows.empty()) fail(ExitCode::Dataset, command.sweep + ": no run is done");
+  const fs::path file = out.empty() ? fs::path(command.sweep) / "results.csv" : fs::path(out);
+  failUnless(record::writeOutput(file, experiment::csvOf(rows, command.metrics)));
+  printFiles({file}, invocation);
+}
+
+void archive(const FolderCommand& command, const Invocation& invocation) {
+  fs::path from = fs::absolute(command.sweep).lexically_normal();
+  if (!from.has_filename()) from = from.parent_path();
+  const std::string& out = command.out.path;
+  const fs::path file = fs::absolute(out.empty() ? from.string() + ".tar.gz" : out);
+  (void)runsOf(command.sweep, ExitCode::Dataset);
+  refuseExisting({file}, command.out.replace, "--out");
+  warnOfUnfinished(from);
+  const host::ScratchFolder files("tolman-archive");
+  if (files.path().empty()) fail(ExitCode::Record, host::kNoScratchFolder);
+  failUnless(experiment::writeSweepArchive(from, files.path() / from.filename()));
+  const fs::path partial = file.string() + ".partial";
+  host::ChildProcess tar(
+      {"/usr/bin/env", "tar", "--sort=name", "--owner=0", "--group=0", "--mtime=@0", "-C",
+       files.path().string(), "-czf", partial.string(), from.filename().string()},
+      {});
+  const host::ProcessEnd end = tar.end(std::chrono::hours(24));
+  std::error_code error;
+  if (end.signal == 0 && end.exit_code == 0) {
+    fs::rename(partial, file, error);
+    if (!error) return printFiles({file}, invocation);
+  }
+  std::error_code ignored;
+  fs::remove(partial, ignored);
+  fail(ExitCode::Record,
+       file.string() + ": not written (" + (error ? error.message() : "tar " + end.text()) + ")");
+}
+
+void addSweepCommands(CLI::App& sweep, Invocation& invocation) {
+  CLI::App& status =
+      *sweep.add_subcommand("status", "What became of the runs of a sweep, from their folders");
+  auto asked = std::make_shared<std::string>();
+  addArgument(status, "sweep", *asked, "FOLDER", "Folder of the sweep");
+  status.callback([asked, &invocation] { printStatus(*asked, invocation); });
+
+  CLI::App& collecting =
+      *sweep.add_subcommand("collect", "Factors and metrics of the runs that are done, as CSV");
+  auto table = std::make_shared<FolderCommand>();
+  addArgument(collecting, "sweep", table->sweep, "FOLDER", "Folder of the sweep");
+  addList(collecting, "--metric", table->metrics, "KEY",
+          "Only this key of metrics.json (repeatable; default: all)");
+  table->out.add(collecting, "FILE", "File (default: results.csv in the sweep)",
+                 "Replace the file of --out");
+  collecting.callback([table, &invocation] { collect(*table, invocation); });
+
+  CLI::App& archiving = *sweep.add_subcommand(
+      "archive", "Configurations, digests, results and commands, to run it again elsewhere");
+  auto packed = std::make_shared<FolderCommand>();
+  addArgument(archiving, "sweep", packed->sweep, "FOLDER", "Folder of the sweep");
+  packed->out.add(archiving, "FILE", "Archive to write (default: SWEEP.tar.gz)",
+                  "Replace the file");
+  archiving.callback([packed, &invocation] { archive(*packed, invocation); });
+
+  CLI::App& point = *sweep.add_subcommand("point", "Run one frozen run of a sweep");
+  auto folder = std::make_shared<std::string>();
+  auto options = std::make_shared<experiment::PointRunOptions>();
+  addArgument(point, "run", *folder, "FOLDER", "Its folder");
+  point.add_flag("--retry", options->retry, "Run it again when it has failed");
+  addOption(point, "--threads", options->threads, "N", "Threads, where the configuration has 0")
+      ->check(CLI::Range(1, 1024));
+  point.callback([folder, options, &invocation] { runPoint(*folder, *options, invocation); });
 }
 
 }  // namespace

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <cmath>
 
 #include "app/parameter_text.hpp"
-#include "config/settings.hpp"
+#include "config/system_config.hpp"
 #include "engine/provenance.hpp"
 
 namespace tolman::app {
 namespace {
 
+using config::kChain;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDialect = "https://json-schema.org/draft/2020-12/schema";
-constexpr std::array kChain = {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map};
 
 // A text with an environment variable is allowed for any value.
 constexpr const char* kVariable = R"(\$\{[^}]+\})";
@@ -170,16 +169,13 @@ Json sections() {
                            {"description",
                             "Files below this one, relative to it; the later wins, this one over "
                             "all. A stage may then leave out what they say."}};
-  properties["pipeline"] = objectOf(propertiesOf(schemaOf<config::PipelineSettings>()));
-  properties["evaluation"] = objectOf(propertiesOf(schemaOf<config::EvaluationSettings>()));
+  const config::SystemConfig declared;
+  config::visitSections(declared, [&](const char* key, const auto& section) {
+    properties[key] = objectOf(propertiesOf(schemaOf<std::decay_t<decltype(section)>>()));
+  });
   Json& evaluation = properties["evaluation"]["properties"];  // `segments` may be a list, too
   evaluation["segments"]["anyOf"].push_back(
       {{"type", "array"}, {"items", evaluation["segment_lengths"]["items"]}});
-  properties["checks"] = objectOf(propertiesOf(schemaOf<config::CheckSettings>()));
-  properties["rectification"] = objectOf(propertiesOf(schemaOf<config::RectificationSettings>()));
-  properties["images"] = objectOf(propertiesOf(schemaOf<config::ImageSettings>()));
-  properties["isolation"] = objectOf(propertiesOf(schemaOf<config::IsolationSettings>()));
-  properties["record"] = objectOf(propertiesOf(schemaOf<config::RecordSettings>()));
   return properties;
 }
 

@@ -10,6 +10,7 @@
 #include "evaluation/loops.hpp"
 #include "record/atomic_file.hpp"
 #include "tolman/records.hpp"
+#include "tolman/roles.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::app {
@@ -29,6 +30,9 @@ Result<std::string> encodePng(const Image& image);
 /// step or above the range of 16 bits (256 m). `depth` is in metres; InvalidInput if its shape is
 /// not {height, width}.
 Result<std::string> encodeDepthPng(const NamedArray& depth);
+
+/// Name of the array that a source describes as a depth image; empty when there is none.
+std::string depthArray(const std::vector<ArrayInfo>& arrays);
 
 /// P0 to P3; the right cameras have -fx * baseline.
 std::string calibrationText(const CameraRig& rig);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/options.hpp"
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <optional>
+#include <algorithm>
 
+#include "base/number_text.hpp"
+#include "config/text.hpp"
 #include "config/values.hpp"
 #include "record/atomic_file.hpp"
 
@@ -13,16 +12,7 @@ namespace tolman::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kResolved = "config.resolved.yaml";
-
-std::optional<double> finiteNumber(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
+using text_encoding::parseNumber;
 
 /// Whether writing the file would lose something. Links count as files: they would be replaced.
 bool isInTheWay(const fs::path& file) {
@@ -47,11 +37,22 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& 
 std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
 
 std::string positive(const std::string& value) {
-  return finiteNumber(value).value_or(0) > 0 ? "" : "must be a number above 0";
+  return parseNumber(value).value_or(0) > 0 ? "" : "must be a number above 0";
 }
 
 std::string notNegative(const std::string& value) {
-  return finiteNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
+  return parseNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
+}
+
+std::string isAssignment(const std::string& value) {
+  const std::size_t equals = value.find('=');
+  const bool has_both = equals != std::string::npos && equals > 0;
+  return has_both ? "" : "'" + value + "': write it as NAME=VALUE";
+}
+
+std::pair<std::string, std::string> sidesOf(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
 CLI::Option* Output::add(CLI::App& command, const std::string& type, const std::string& text,
@@ -62,16 +63,20 @@ CLI::Option* Output::add(CLI::App& command, const std::string& type, const std::
 
 void refuseExisting(const std::vector<fs::path>& files, bool replace, const std::string& option) {
   if (replace) return;
-  for (const fs::path& file : files) {
-    if (!isInTheWay(file)) continue;
-    fail(ExitCode::Record,
-         file.string() + ": exists; choose another " + option + ", or replace it with --force");
-  }
+  const auto found = std::ranges::find_if(files, isInTheWay);
+  if (found == files.end()) return;
+  fail(ExitCode::Record,
+       found->string() + ": exists; choose another " + option + ", or replace it with --force");
+}
+
+fs::path thisProgram() {
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/exe", ignored);
 }
 
 fs::path shippedConfig(const std::string& name) {
   std::error_code ignored;
-  const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  const fs::path prefix = thisProgram().parent_path().parent_path();
   for (const fs::path& folder : {prefix / "share/tolman", prefix.parent_path()}) {
     for (const fs::path& file : {folder / "configs" / (name + ".yaml"), folder / name}) {
       if (fs::is_regular_file(file, ignored)) return file;
@@ -111,8 +116,9 @@ engine::SystemOptions SystemOptionsReader::read(const Invocation& invocation, Us
   if (config_.empty() && resume_.empty()) {
     throw CLI::RequiredError("a configuration, or --resume,");
   }
-  engine::SystemOptions options{resume_.empty() ? configFile(config_) : resumedConfig(), overrides_,
-                                invocation.plugin_paths};
+  engine::SystemOptions options{
+      resume_.empty() ? configFile(config_) : configOfRun(resume_, ExitCode::Session), overrides_,
+      invocation.plugin_paths};
   options.quiet = invocation.quiet;
   options.find_shipped = shippedConfig;
   if (resume_.empty()) options = withRecording(std::move(options), invocation, use);
@@ -122,14 +128,14 @@ engine::SystemOptions SystemOptionsReader::read(const Invocation& invocation, Us
   return options;
 }
 
-std::string SystemOptionsReader::resumedConfig() const {
-  const fs::path file = fs::path(resume_) / kResolved;
+std::string configOfRun(const fs::path& run, ExitCode code) {
+  const fs::path file = run / "config.resolved.yaml";
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return file;
-  fail(ExitCode::Session, resume_ + ": " +
-                              config::absence(file,
-                                              "holds no config.resolved.yaml, so it is no run "
-                                              "directory; give the folder that a run has written"));
+  fail(code, run.string() + ": " +
+                 config::absence(file,
+                                 "is no run directory, it holds no config.resolved.yaml; give "
+                                 "the folder that a run has written"));
 }
 
 }  // namespace tolman::app

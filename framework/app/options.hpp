@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/program.hpp"
@@ -39,6 +40,10 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& 
 std::string notEmpty(const std::string& value);  ///< without it `--out ""` would take the default
 std::string positive(const std::string& value);
 std::string notNegative(const std::string& value);
+std::string isAssignment(const std::string& value);  ///< NAME=VALUE
+
+/// The two sides of an assignment.
+std::pair<std::string, std::string> sidesOf(const std::string& assignment);
 
 /// --out and --force of the commands that write files where the user chooses.
 struct Output {
@@ -63,6 +68,9 @@ std::filesystem::path shippedConfig(const std::string& name);
 /// The file `given`. If there is none, the shipped configuration of this name.
 std::string configFile(const std::string& given);
 
+/// This program: PREFIX/bin/tolman.
+std::filesystem::path thisProgram();
+
 /// CONFIG, --set, --seed, --threads, --continue, --resume. CONFIG may be a recording: it is read
 /// with the configuration that `tolman init` writes for it.
 class SystemOptionsReader {
@@ -76,8 +84,6 @@ class SystemOptionsReader {
   engine::SystemOptions read(const Invocation& invocation, Use use = Use::Run) const;
 
  private:
-  std::string resumedConfig() const;
-
   CLI::App& command_;
   std::string config_;
   std::vector<std::string> overrides_;
@@ -86,5 +92,8 @@ class SystemOptionsReader {
   std::string continue_;
   std::string resume_;
 };
+
+/// The configuration with which the run was recorded. Fails with `code` where there is none.
+std::string configOfRun(const std::filesystem::path& run, ExitCode code);
 
 }  // namespace tolman::app

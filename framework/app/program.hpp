@@ -74,19 +74,18 @@ struct Invocation {
 /// Indented JSON with a line feed at the end; bytes that are not UTF-8 become U+FFFD.
 std::string jsonText(const nlohmann::ordered_json& json);
 
+/// One row of a summary: a name of ten columns, and a text.
+std::string row(std::string_view name, std::string_view text);
+
 /// Names of the files that a command wrote: lines, with --json a list "files", with --quiet
 /// nothing.
 void printFiles(const std::vector<std::filesystem::path>& files, const Invocation& invocation);
-
-/// Examples and exit codes, as they end the help of a command such as "tolman plugins".
-std::string helpFooter(std::string_view command);
 
 // Each adds one command to `app`; the command stores its exit code in `invocation`.
 void addRunCommand(CLI::App& app, Invocation& invocation);
 void addCheckCommand(CLI::App& app, Invocation& invocation);
 void addPluginsCommand(CLI::App& app, Invocation& invocation);
 void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation);  // below `plugins`
-void addValidateCommand(CLI::App& plugins, Invocation& invocation);    // below `plugins`
 void addInitCommand(CLI::App& app, Invocation& invocation);
 void addDatasetCommand(CLI::App& app, Invocation& invocation);
 void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dataset`
@@ -97,7 +96,6 @@ void addReportCommand(CLI::App& app, Invocation& invocation);
 void addViewCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);
 void addSweepCommand(CLI::App& app, Invocation& invocation);
-void addSweepCommands(CLI::App& sweep, Invocation& invocation);  // below `sweep`
 void addCompareCommand(CLI::App& app, Invocation& invocation);
 void addRerunCommand(CLI::App& app, Invocation& invocation);
 

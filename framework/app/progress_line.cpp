@@ -42,18 +42,32 @@ std::int64_t framesToCome(std::int64_t wanted, std::int64_t known) {
   return wanted < 0 || known < 0 ? std::max(wanted, known) : std::min(wanted, known);
 }
 
+void StatusLine::redraw(const std::string& line) {
+  if (line.empty() && drawn_ == 0) return;
+  const std::string wipe(drawn_ > line.size() ? drawn_ - line.size() : 0, ' ');
+  // One write, so that no log line of another thread comes in between.
+  out_ << "\r" + line + wipe + (line.empty() ? "\r" : "") << std::flush;
+  drawn_ = line.size();
+}
+
+void StatusLine::show(const std::string& line) {
+  const int width = engine::terminalWidth(STDERR_FILENO) - 1;
+  redraw(line.substr(0, static_cast<std::size_t>(std::max(width, 0))));
+}
+
+void StatusLine::add(const std::string& line) {
+  redraw("");
+  out_ << line + "\n" << std::flush;
+}
+
 ProgressLine::ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal,
                            std::int64_t total)
-    : out_(out),
+    : line_(out),
       clock_(clock),
       terminal_(terminal),
       total_(total),
       begin_ns_(clock.steadyNs()),
       shown_ns_(begin_ns_) {}
-
-ProgressLine::~ProgressLine() {
-  if (drawn_ > 0) redraw("");
-}
 
 void ProgressLine::step() {
   constexpr std::int64_t kRedrawNs = 100'000'000;     // ten times a second
@@ -68,19 +82,12 @@ void ProgressLine::step() {
   if (!due) return;
   const std::string text = frameText(done_, total_, static_cast<double>(now - begin_ns_) * 1e-9);
   if (terminal_.interactive) {
-    redraw(text.substr(0, std::max(engine::terminalWidth(STDERR_FILENO) - 1, 0)));
+    line_.show(text);
   } else {
-    out_ << text << '\n' << std::flush;
+    line_.add(text);
   }
   shown_ns_ = now;
   shown_tenths_ = tenths;
-}
-
-void ProgressLine::redraw(const std::string& line) {
-  const std::string wipe(drawn_ > line.size() ? drawn_ - line.size() : 0, ' ');
-  // One write, so that no log line of another thread comes in between.
-  out_ << "\r" + line + wipe + (line.empty() ? "\r" : "") << std::flush;
-  drawn_ = line.size();
 }
 
 }  // namespace tolman::app

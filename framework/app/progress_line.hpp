@@ -27,22 +27,36 @@ Terminal terminalOf(const Invocation& invocation);
 /// read.
 std::int64_t framesToCome(std::int64_t wanted, std::int64_t known);
 
-class ProgressLine {
+/// The last line on a terminal, which is redrawn, and erased at the end.
+class StatusLine {
  public:
-  /// `total`: frames to come; -1: not known.
-  ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal, std::int64_t total);
-  /// Erases the line on a terminal.
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
+  explicit StatusLine(std::ostream& out) : out_(out) {}
+  ~StatusLine() { redraw(""); }
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
 
-  /// One more frame is done. May be called from any thread.
-  void step();
+  /// Shows a line, cut to the width of the terminal.
+  void show(const std::string& line);
+  /// Adds a line above.
+  void add(const std::string& line);
 
  private:
   void redraw(const std::string& line);
 
   std::ostream& out_;
+  std::size_t drawn_ = 0;  ///< characters of the line on the terminal
+};
+
+class ProgressLine {
+ public:
+  /// `total`: frames to come; -1: not known.
+  ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal, std::int64_t total);
+
+  /// One more frame is done. May be called from any thread.
+  void step();
+
+ private:
+  StatusLine line_;
   const Clock& clock_;
   Terminal terminal_;
   std::mutex mutex_;
@@ -51,7 +65,6 @@ class ProgressLine {
   std::int64_t begin_ns_;
   std::int64_t shown_ns_;
   std::int64_t shown_tenths_ = 0;
-  std::size_t drawn_ = 0;  ///< characters of the line on the terminal
 };
 
 }  // namespace tolman::app

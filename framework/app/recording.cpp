@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Which source reads a recording, and with which parameters.
 #include "app/recording.hpp"
 
 #include <fnmatch.h>
@@ -7,19 +8,21 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 
+#include "app/kitti_folder.hpp"
 #include "app/options.hpp"
-#include "app/rendering.hpp"
+#include "base/number_text.hpp"
 #include "config/loader.hpp"
 #include "config/text.hpp"
 #include "engine/assembly.hpp"
-#include "host/gate.hpp"
 
 namespace tolman::app {
 namespace {
 
 namespace fs = std::filesystem;
+using text_encoding::parseNumber;
 using Names = std::vector<std::string>;
 
 constexpr std::size_t kMaxFiles = 40;  // of a folder that are tried
@@ -43,16 +46,8 @@ Names namesIn(const fs::path& folder, const Names& endings) {
   return names;
 }
 
-/// Whether all patterns of a line are met by names of the recording.
-bool isMet(const std::string& line, const Names& names) {
-  std::istringstream patterns(line);
-  for (std::string pattern; patterns >> pattern;) {
-    const auto fits = [&](const std::string& name) {
-      return ::fnmatch(pattern.c_str(), name.c_str(), FNM_CASEFOLD) == 0;
-    };
-    if (std::ranges::none_of(names, fits)) return false;
-  }
-  return true;
+bool fits(const std::string& pattern, const std::string& name) {
+  return ::fnmatch(pattern.c_str(), name.c_str(), FNM_CASEFOLD) == 0;
 }
 
 /// The folder of the right camera that belongs to one of the left; empty for none.
@@ -71,13 +66,12 @@ std::string rightOf(const std::string& left, const Names& folders) {
 
 /// The unit of two stamps in a row: the one in which they are times of the years 2001 to 2096 at
 /// most an hour apart, otherwise the largest in which they are at most 1.5 s apart.
-std::string unitOf(const std::string& first, const std::string& second) {
+std::string unitOf(double first, double second) {
   constexpr std::array<std::pair<const char*, double>, 4> kUnits = {
       {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
-  const double from = std::strtod(first.c_str(), nullptr);  // 0 if it is not a number
-  const double step = std::strtod(second.c_str(), nullptr) - from;
+  const double step = second - first;
   for (const auto& [unit, seconds] : kUnits) {
-    const double date = from * seconds;
+    const double date = first * seconds;
     if (date > 1e9 && date < 4e9 && step * seconds > 1e-4 && step * seconds < 3600) return unit;
   }
   const auto* found =
@@ -88,47 +82,54 @@ std::string unitOf(const std::string& first, const std::string& second) {
 Names cellsOf(const std::string& line) {
   Names cells;
   std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  for (std::string cell; std::getline(stream, cell, ',');) {
+    cell.erase(cell.find_last_not_of(" \r") + 1);
+    cells.push_back(cell);
+  }
   return cells;
-}
-
-bool isNumber(const std::string& text) {
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  return !text.empty() && text.find_first_not_of(" \r", end - text.c_str()) == std::string::npos;
 }
 
 /// How a source reads the times in this file: a table whose first line has a column of times, or
 /// one number a line. Empty for another file.
 SourceValues timesIn(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::array<std::string, 3> lines;
-  for (std::string& line : lines) {
+  std::array<Names, 3> lines;
+  for (Names& cells : lines) {
+    std::string line;
     if (!std::getline(stream, line)) return {};
+    cells = cellsOf(line);
   }
-  SourceValues values = {{"stamps", config::writeText(file.filename().string())}};
-  if (isNumber(lines[0]) && isNumber(lines[1])) {
-    values.emplace_back("stamps_unit", unitOf(lines[0], lines[1]));
-    return values;
-  }
-  const Names names = cellsOf(lines[0]);
-  const Names first = cellsOf(lines[1]);
-  const Names second = cellsOf(lines[2]);
+  const auto& [names, first, second] = lines;
+  const SourceValues values = {{"stamps", config::writeText(file.filename().string())}};
   for (std::size_t i = 0; i < std::min({names.size(), first.size(), second.size()}); ++i) {
-    const std::string& name = names[i];
-    if (name.find("time") == std::string::npos && name.find("stamp") == std::string::npos) continue;
-    values.emplace_back("stamps_column", config::writeText(name));
-    values.emplace_back("stamps_unit", unitOf(first[i], second[i]));
-    return values;
+    const bool is_list = i == 0 && names.size() == 1 && parseNumber(names[0]);
+    const bool is_column = fits("*time*", names[i]) || fits("*stamp*", names[i]);
+    const auto from = parseNumber(is_list ? names[0] : first[i]);
+    const auto to = parseNumber(is_list ? first[0] : second[i]);
+    if (!(is_list || is_column) || !from || !to) continue;
+    SourceValues found = values;
+    if (!is_list) found.emplace_back("stamps_column", config::writeText(names[i]));
+    found.emplace_back("stamps_unit", unitOf(*from, *to));
+    return found;
   }
   return {};
 }
 
-/// Whether the name of an image may be its time: 13 digits or more, or a number with decimals.
-bool isTime(const std::string& stem) {
-  const auto digits = std::ranges::count_if(stem, config::isDigit);
-  const auto points = std::ranges::count(stem, '.');
-  return digits + points == std::ssize(stem) && (points == 0 ? digits >= 13 : points == 1);
+/// How a source reads the names of the images as their times: numbers of 13 digits or more, or with
+/// decimals. Empty for other names.
+SourceValues timesInNames(const fs::path& folder) {
+  std::vector<double> times;
+  for (const std::string& name : namesIn(folder, kImageEndings)) {
+    const std::string stem = fs::path(name).stem();
+    const auto digits = std::ranges::count_if(stem, config::isDigit);
+    const auto points = std::ranges::count(stem, '.');
+    const bool is_time = points == 0 ? digits >= 13 : points == 1;
+    if (!is_time || digits + points != std::ssize(stem)) return {};
+    times.push_back(parseNumber(stem).value_or(0));
+  }
+  if (times.size() < 2) return {};
+  std::ranges::sort(times);
+  return {{"stamps_in_names", "true"}, {"stamps_unit", unitOf(times[0], times[1])}};
 }
 
 /// One source on one recording, with more and more parameters.
@@ -146,36 +147,38 @@ class Search {
   }
 
   Result<Recording> run() {
-    Result<Recording> found = probe(given_);
-    if (!found.isOk() && may("rate")) {
-      if (auto tried = probe(with(given_, {{"rate", kAssumedRate}})); tried.isOk()) found = tried;
-    }
-    if (!found.isOk() && may("left") && may("right")) {
-      if (auto tried = withFolders(); tried.isOk()) found = tried;
-    }
+    Result<Recording> found = probeImages({}, imageFolder(given_));
+    const auto tryNext = [&](const Result<Recording>& tried) {
+      if (tried.isOk()) found = tried;
+    };
+    if (!found.isOk() && may("rate")) tryNext(probe({{"rate", kAssumedRate}}));
+    if (!found.isOk() && may("left") && may("right")) tryNext(withFolders());
     if (!found.isOk()) return found;
     best_ = std::move(found).value();
     if (best_.width > 0 && !best_.calibrated && may("calibration")) tryCalibrations();
-    if (!best_.isGiven("rate") && may("stamps")) tryStamps();
+    const bool has_times = best_.isGiven("rate") || best_.isGiven("stamps_in_names");
+    if (!has_times && may("stamps")) tryStamps();
     noteRate();
     return best_;
   }
 
  private:
-  static SourceValues with(SourceValues values, const SourceValues& more) {
-    values.insert(values.end(), more.begin(), more.end());
-    return values;
-  }
-
   /// Whether the source has this parameter, and the user does not give it.
   bool may(std::string_view name) const {
-    return declared(name) != nullptr && std::ranges::find(given_, name, [](const auto& value) {
-                                          return std::string_view(value.first);
-                                        }) == given_.end();
+    const auto isName = [&](const auto& value) { return value.first == name; };
+    return declared(name) != nullptr && std::ranges::none_of(given_, isName);
   }
 
-  /// Reads the first frames as a run would.
-  Result<Recording> probe(const SourceValues& values) const try {
+  /// The folder of the left images, if it is known.
+  fs::path imageFolder(const SourceValues& values) const {
+    const auto left = std::ranges::find(values, "left", [](const auto& v) { return v.first; });
+    return left == values.end() ? path_ : path_ / left->second;
+  }
+
+  /// Reads the first frames as a run would, with these parameters beside the given ones.
+  Result<Recording> probe(const SourceValues& more) const try {
+    SourceValues values = given_;
+    values.insert(values.end(), more.begin(), more.end());
     engine::SystemOptions options{
         "", {"source.plugin=" + plugin_.manifest.id}, invocation_.plugin_paths};
     for (const auto& [name, value] : values) {
@@ -204,14 +207,26 @@ class Search {
     return Status::invalidInput(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   }
 
+  /// The same, and if that fails with the names of the images in `folder` as times: names with
+  /// decimals of different lengths have no other order.
+  Result<Recording> probeImages(const SourceValues& more, const fs::path& folder) const {
+    Result<Recording> found = probe(more);
+    if (found.isOk() || !may("stamps_in_names")) return found;
+    SourceValues times = timesInNames(folder);
+    if (times.empty()) return found;
+    times.insert(times.begin(), more.begin(), more.end());
+    Result<Recording> by_names = probe(times);
+    return by_names.isOk() ? by_names : found;
+  }
+
   Recording describe(engine::Assembly& assembly, const engine::RunLog& log,
                      const SourceValues& values, const std::vector<std::int64_t>& stamps_ns) const {
     const SourceInfo& info = assembly.sourceInfo();
+    const CameraRig& rig = info.rig;
     std::vector<ArrayInfo> arrays;
     (void)assembly.source().instance().describe(arrays);  // it has given frames
-    Recording found{plugin_.manifest.id, values,          info.description,
-                    info.rig.width,      info.rig.height, info.rig.calibrated,
-                    info.rig.baseline};
+    Recording found{plugin_.manifest.id, values,         info.description, rig.width,
+                    rig.height,          rig.calibrated, rig.baseline};
     found.depth = !depthArray(arrays).empty();
     found.has_truth = info.has_truth;
     const double seconds = 1e-9 * static_cast<double>(stamps_ns.back() - stamps_ns.front());
@@ -228,14 +243,13 @@ class Search {
     const Names all = namesIn(path_, {});
     std::map<std::string, std::string> images;  // by folder
     for (const std::string& folder : all) {
-      for (const char* below : {"", "/data", "/images"}) {
-        if (images.contains(folder)) break;
+      for (const char* below : {"/images", "/data", ""}) {
         if (!namesIn(path_ / (folder + below), kImageEndings).empty()) {
           images[folder] = folder + below;
         }
       }
     }
-    const auto noteOthers = [&](Recording found) {
+    const auto noteOthers = [&](Recording found) -> Result<Recording> {
       for (const auto& [folder, place] : images) {
         const auto reads = [&](const auto& value) {
           return value.second == config::writeText(place);
@@ -248,14 +262,15 @@ class Search {
       const auto right = images.find(rightOf(left, all));
       if (right == images.end()) continue;
       for (const std::string& file : calibrations()) {
-        auto found = probe(with(given_, {{"left", config::writeText(place)},
-                                         {"right", config::writeText(right->second)},
-                                         {"calibration", config::writeText(file)}}));
+        auto found = probeImages({{"left", config::writeText(place)},
+                                  {"right", config::writeText(right->second)},
+                                  {"calibration", config::writeText(file)}},
+                                 path_ / place);
         if (found.isOk()) return noteOthers(std::move(found).value());
       }
     }
     for (const auto& [left, place] : images) {
-      auto found = probe(with(given_, {{"left", config::writeText(place)}}));
+      auto found = probeImages({{"left", config::writeText(place)}}, path_ / place);
       if (found.isOk()) return noteOthers(std::move(found).value());
     }
     return Status::invalidInput("no folder of images is read");
@@ -263,17 +278,20 @@ class Search {
 
   Names calibrations() const { return namesIn(path_, {".yaml", ".yml", ".xml", ".txt"}); }
 
-  /// Takes the result with these parameters if the source reads it; otherwise keeps the reason.
-  bool take(const SourceValues& more, bool is_told) {
-    Result<Recording> tried = probe(with(best_.values, more));
+  /// Takes the result with these parameters if the source reads it; otherwise keeps the reason
+  /// under this name, if there is one.
+  bool take(const SourceValues& more, const std::string& name) {
+    SourceValues all(best_.values.begin() + std::ssize(given_), best_.values.end());
+    all.insert(all.end(), more.begin(), more.end());
+    const Result<Recording> tried = probe(all);
     if (!tried.isOk()) {
-      std::string reason = tried.status().message();
+      std::string reason = name + ": " + tried.status().message();
       std::ranges::replace(reason, '\n', ' ');
-      if (is_told) best_.unused.push_back(std::move(reason));
+      if (!name.empty()) best_.unused.push_back(std::move(reason));
       return false;
     }
     if (more[0].first == "calibration" && !tried.value().calibrated) return false;
-    Recording found = std::move(tried).value();
+    Recording found = tried.value();
     found.other_folders = best_.other_folders;
     found.unused = best_.unused;
     best_ = std::move(found);
@@ -281,30 +299,21 @@ class Search {
   }
 
   void tryCalibrations() {
+    constexpr std::array kPatterns = {"*calib*", "*cam*", "*intrinsic*", "*sensor*"};
     for (const std::string& file : calibrations()) {
-      constexpr std::array kPatterns = {"*calib*", "*cam*", "*intrinsic*", "*sensor*"};
-      const bool is_calibration = std::ranges::any_of(kPatterns, [&](const char* pattern) {
-        return ::fnmatch(pattern, file.c_str(), FNM_CASEFOLD) == 0;
-      });
-      if (take({{"calibration", config::writeText(file)}}, is_calibration)) return;
+      const bool is_calibration =
+          std::ranges::any_of(kPatterns, [&](const char* pattern) { return fits(pattern, file); });
+      if (take({{"calibration", config::writeText(file)}}, is_calibration ? file : "")) return;
     }
   }
 
   void tryStamps() {
     for (const std::string& file : namesIn(path_, {".csv", ".txt"})) {
       const SourceValues times = timesIn(path_ / file);
-      if (!times.empty() && take(times, true)) return;
+      if (!times.empty() && take(times, file)) return;
     }
-    fs::path images = path_;
-    for (const auto& [name, value] : best_.values) {
-      if (name == "left") images = path_ / value;
-    }
-    const Names names = namesIn(images, kImageEndings);
-    if (names.size() < 2) return;
-    const std::string first = fs::path(names[0]).stem();
-    const std::string second = fs::path(names[1]).stem();
-    if (!isTime(first) || !isTime(second)) return;
-    take({{"stamps_in_names", "true"}, {"stamps_unit", unitOf(first, second)}}, true);
+    const SourceValues times = timesInNames(imageFolder(best_.values));
+    if (!times.empty()) take(times, "the names of the images");
   }
 
   /// Whether the rate is the one that was tried, or the default of the source.
@@ -330,12 +339,6 @@ class Search {
   Recording best_;
 };
 
-/// Calibrated pairs before single cameras (those with depth first), before uncalibrated ones,
-/// before no images.
-int rankOf(const Recording& r) {
-  return (r.width > 0 ? 1 : 0) + (r.calibrated ? 2 : 0) + (r.baseline > 0 ? 2 : r.depth ? 1 : 0);
-}
-
 }  // namespace
 
 bool Recording::isGiven(std::string_view parameter) const {
@@ -348,52 +351,42 @@ std::string sourceFor(const fs::path& recording) {
   for (fs::directory_iterator at(recording, error), end; !error && at != end; at.increment(error)) {
     names.push_back(at->path().filename().string());
   }
+  const auto isMet = [&](const config::Node& line) {  // all patterns by names of the recording
+    std::istringstream patterns(line.text);
+    for (std::string pattern; patterns >> pattern;) {
+      const auto isOf = [&](const std::string& name) { return fits(pattern, name); };
+      if (std::ranges::none_of(names, isOf)) return false;
+    }
+    return true;
+  };
   const config::Loaded layouts =
       config::load(configFile("configs/init/layouts.yaml"), {}, config::processEnvironment());
   for (const config::Node& source : layouts.tree.children) {
-    const auto met = [&](const config::Node& line) { return isMet(line.text, names); };
-    if (std::ranges::any_of(source.children, met)) return source.key;
+    if (std::ranges::any_of(source.children, isMet)) return source.key;
   }
   return "";
 }
 
 Recording lookAt(const fs::path& recording, const SourceValues& given,
                  const Invocation& invocation) {
-  const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
-  std::string known = sourceFor(recording);
+  std::string id = sourceFor(recording);
+  if (id.empty()) id = "images";
   SourceValues values;
   for (const auto& value : given) {
     if (value.first == "plugin") {
-      known = value.second;
+      id = value.second;
     } else {
       values.push_back(value);
     }
   }
-  std::optional<Recording> best;
-  std::string reasons;
-  const auto tryOne = [&](const std::string& id) {
-    const host::LoadedPlugin plugin = engine::loadFrom(catalogue, id, Role::Source);
-    Search search(recording, plugin, values, invocation);
-    if (search.declared("path") == nullptr) return;
-    Result<Recording> found = search.run();
-    if (!found.isOk()) {
-      reasons += "\n  " + id + ": " + found.status().message();
-    } else if (!best || rankOf(found.value()) > rankOf(*best)) {
-      best = std::move(found).value();
-    }
-  };
-  if (!known.empty()) {
-    tryOne(known);
-  } else {
-    for (const host::Manifest& manifest : catalogue.manifests()) {
-      const bool is_usable = !host::checkGate(manifest, host::HostIdentity::ofThisBuild());
-      if (manifest.role == Role::Source && is_usable) tryOne(manifest.id);
-    }
-  }
-  if (best) return *best;
-  fail(ExitCode::Dataset, recording.string() + ": no source reads it" + reasons +
-                              "\nParameters are given by --set NAME=VALUE; see "
-                              "docs/your-camera.md");
+  const host::LoadedPlugin plugin =
+      engine::loadFrom(engine::openCatalogue(invocation.plugin_paths), id, Role::Source);
+  Result<Recording> found = Search(recording, plugin, values, invocation).run();
+  if (found.isOk()) return std::move(found).value();
+  fail(ExitCode::Dataset, recording.string() + ": no source reads it\n  " + id + ": " +
+                              found.status().message() +
+                              "\nThe source is chosen by --set plugin=ID, its parameters by --set "
+                              "NAME=VALUE; see docs/your-camera.md");
 }
 
 }  // namespace tolman::app

@@ -40,10 +40,10 @@ struct Recording {
 /// Looks at names only.
 std::string sourceFor(const std::filesystem::path& recording);
 
-/// Reads the first frames with the source of the layout. Of an unknown layout every source that has
-/// a parameter `path` is tried. Where the source declares them, it also tries `rate`, `left` and
+/// Reads the first frames with the source of the layout, `images` for an unknown one, or the one
+/// that is given as `plugin`. Where the source declares them, it also tries `rate`, `left` and
 /// `right`, `calibration`, `stamps` with `stamps_column` and `stamps_unit`, and `stamps_in_names`,
-/// with the files in the folder. `given`: further parameters. Fails (5) if no source reads it.
+/// with the files in the folder. `given`: further parameters. Fails (5) if it cannot be read.
 Recording lookAt(const std::filesystem::path& recording, const SourceValues& given,
                  const Invocation& invocation);
 
@@ -60,11 +60,6 @@ enum class Use : bool { Run, Copy };
 /// text of stagesFile().
 std::string initText(const std::filesystem::path& path, const Recording& recording,
                      const std::string& carrier, const std::string& stages, Use use = Use::Run);
-
-/// The same with what lookAt() finds.
-std::string configurationFor(const std::string& path, const SourceValues& given,
-                             const std::string& carrier, const Invocation& invocation,
-                             Use use = Use::Run);
 
 /// If `options.config` is a recording, replaces it by the configuration for it.
 engine::SystemOptions withRecording(engine::SystemOptions options, const Invocation& invocation,

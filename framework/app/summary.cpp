@@ -42,12 +42,12 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
   text +=
       fmt::format("{:<10}ATE rmse {:.3f} m  (mean {:.3f}, median {:.3f}, min {:.3f}, max {:.3f})\n",
                   "", s.ate_m.rmse, s.ate_m.mean, s.ate_m.median, s.ate_m.min, s.ate_m.max);
-  if (!metrics.warning.empty()) text += fmt::format("{:<10}WARNING {}\n", "", metrics.warning);
+  if (!metrics.warning.empty()) text += row("", "WARNING " + metrics.warning);
   if (s.vertical_m.count > 0) {
-    text += fmt::format("{:<10}horizontal rmse {:.3f} m, vertical rmse {:.3f} m\n", "",
-                        s.horizontal_m.rmse, s.vertical_m.rmse);
+    text += row("", fmt::format("horizontal rmse {:.3f} m, vertical rmse {:.3f} m",
+                                s.horizontal_m.rmse, s.vertical_m.rmse));
   } else if (!s.no_horizontal.empty()) {
-    text += fmt::format("{:<10}horizontal and vertical error: {}\n", "", s.no_horizontal);
+    text += row("", "horizontal and vertical error: " + s.no_horizontal);
   }
   if (s.kitti.segments > 0) {
     const std::string left_out =

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/record_columns.hpp"
+#include "base/sqlite.hpp"
 #include "tolman/records.hpp"
 #include "tolman/roles.hpp"
 

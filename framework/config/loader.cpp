@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading files and following `extends`.
+// Reading files, following `extends`, and applying --set.
 #include "config/loader.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <sstream>
+
+#include "config/text.hpp"
 
 namespace tolman::config {
 namespace {
@@ -12,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxBytes = 1U << 20U;
-constexpr int kMaxFiles = 64;  // a file that several others extend is read several times
 
 Result<std::string> readText(const fs::path& file) {
   std::error_code error;
@@ -38,7 +42,6 @@ class Loader {
   Node merged(const fs::path& file, const Origin& requested) {
     const std::string circle = circleTo(file);
     if (!circle.empty()) return fail(requested, "extends", "circular: " + circle);
-    if (++files_ > kMaxFiles) return fail(requested, "extends", "more than 64 files are read");
     chain_.push_back(file);
     Node tree = read(file, requested);
     Node base = bases(tree);
@@ -71,9 +74,9 @@ class Loader {
   Node read(const fs::path& file, const Origin& requested) {
     const Result<std::string> text = readText(file);
     if (!text.isOk()) {
-      const bool is_first = chain_.size() == 1;
-      return fail(requested, is_first ? "" : "extends",
-                  (is_first ? "" : file.string() + ": ") + text.status().message());
+      const std::string message = text.status().message();
+      if (chain_.size() == 1) return fail(requested, "", message);
+      return fail(requested, "extends", file.string() + ": " + message);
     }
     const Origin origin = Origin::ofFile(file.string());
     std::optional<Node> tree = readYaml(text.value(), origin, loaded_.problems, environment_);
@@ -82,10 +85,8 @@ class Loader {
       return {Node::Kind::Map, "", {}, origin};
     }
     if (tree->kind == Node::Kind::Null) return fail(origin, "", "the file is empty");
-    if (!tree->isMap()) {
-      return fail(tree->origin, "", "a configuration is a map of keys, not " + describe(*tree));
-    }
-    return std::move(*tree);
+    if (tree->isMap()) return std::move(*tree);
+    return fail(tree->origin, "", "a configuration is a map of keys, not " + describe(*tree));
   }
 
   /// The merged trees of the files in `extends`.
@@ -125,10 +126,113 @@ class Loader {
   const FindShipped& find_shipped_;
   Loaded& loaded_;
   std::vector<fs::path> chain_;
-  int files_ = 0;
 };
 
+/// The parts of "a.b.c".
+Result<std::vector<std::string>> partsOf(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path + '.');
+  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
+  if (std::ranges::find(parts, "") != parts.end()) {
+    return Status::invalidParameter("the key path has an empty part");
+  }
+  if (parts.front() != "extends") return parts;
+  return Status::invalidParameter("'extends' is allowed in files only");
+}
+
+/// The child `part` of `parent`, created if it does not exist.
+Result<Node*> step(Node& parent, const std::string& part, const Origin& origin) {
+  if (parent.kind == Node::Kind::Null) {
+    const bool is_index = part.size() <= 4 && std::ranges::all_of(part, isDigit);
+    parent.kind = is_index ? Node::Kind::Sequence : Node::Kind::Map;
+    parent.origin = origin;
+  }
+  if (parent.isScalar()) {
+    return Status::invalidParameter("'" + part + "' cannot be set: its parent is the scalar " +
+                                    describe(parent));
+  }
+  if (Node* child = parent.find(part)) return child;
+  const std::string size = std::to_string(parent.children.size());
+  if (parent.isSequence() && part != size) {
+    return Status::invalidParameter("no item '" + part + "' in a list of " + size +
+                                    "; indices start at 0");
+  }
+  parent.children.push_back({Node::Kind::Null, part, origin, origin});
+  return &parent.children.back();
+}
+
+Status assign(Node& tree, const std::vector<std::string>& path, Node value, const Origin& origin) {
+  Node* node = &tree;
+  for (const std::string& part : path) {
+    const bool is_plugin = part == "plugin" && &part == &path.back();
+    if (is_plugin && namesOtherPlugin(*node, value)) node->children.clear();
+    const Result<Node*> child = step(*node, part, origin);
+    if (!child.isOk()) return child.status();
+    node = child.value();
+  }
+  value.key = node->key;
+  value.key_origin = origin;
+  *node = std::move(value);
+  return Status::ok();
+}
+
+/// Fails if YAML dropped a part of the given text (a comment, outer blanks, a line break), so that
+/// a path with such characters does not become another path.
+Status refuseLoss(const Node& value, const std::string& given) {
+  constexpr std::array kNulls = {"", "~", "null", "Null", "NULL"};
+  const bool is_null = value.kind == Node::Kind::Null;
+  const bool lost_all = is_null && std::ranges::find(kNulls, given) == kNulls.end();
+  const bool has_variables = given.find("${") != std::string::npos;
+  const bool lost_some = value.isScalar() && !value.quoted && !has_variables && value.text != given;
+  if (!lost_all && !lost_some) return Status::ok();
+  return Status::invalidParameter("YAML reads this as " +
+                                  (is_null ? "nothing" : "'" + value.text + "'") +
+                                  "; put the value into quotes: --set 'key=\"value\"'");
+}
+
+Status applyOverride(Node& tree, const std::string& argument, const Origin& origin,
+                     const Environment& environment, Problems& problems) {
+  const std::size_t equals = argument.find('=');
+  if (equals == std::string::npos) {
+    return Status::invalidParameter("write --set key.path=value");
+  }
+  const std::string path = argument.substr(0, equals);
+  const auto parts = partsOf(path);
+  if (!parts.isOk()) return parts.status();
+  const std::string given = argument.substr(equals + 1);
+  std::optional<Node> value = readYaml(given, origin, problems, environment, path);
+  if (!value) return Status::ok();  // readYaml() has reported the reason
+  if (Status lost = refuseLoss(*value, given); !lost.isOk()) return lost;
+  return assign(tree, parts.value(), std::move(*value), origin);
+}
+
 }  // namespace
+
+void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
+                    const Environment& environment, Problems& problems) {
+  std::vector<std::string> ordered = overrides;
+  std::stable_partition(ordered.begin(), ordered.end(), [](const std::string& argument) {
+    return argument.substr(0, argument.find('=')).ends_with(".plugin");
+  });
+  for (const std::string& argument : ordered) {
+    const Origin origin{Origin::Kind::CommandLine, "--set " + argument, 0, 0, {}};
+    const Status done = applyOverride(tree, argument, origin, environment, problems);
+    if (!done.isOk()) problems.push_back({origin, "", done.message()});
+  }
+}
+
+Status setValue(Node& tree, const std::string& path, const Node& value) {
+  const auto parts = partsOf(path);
+  if (!parts.isOk()) return parts.status();
+  const Node* there = &tree;
+  for (const std::string& part : parts.value()) there = there ? there->find(part) : nullptr;
+  Node merged = value;
+  if (value.isMap() && there != nullptr && there->isMap()) {
+    merged = *there;
+    merge(merged, value);
+  }
+  return assign(tree, parts.value(), std::move(merged), value.origin);
+}
 
 Loaded load(const fs::path& file, const std::vector<std::string>& overrides,
             const Environment& environment, const FindShipped& find_shipped) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From YAML to one tree: the configuration file, the files that it extends, environment variables,
-// and the overrides of the command line. Only this room uses yaml-cpp.
+// and the overrides of the command line.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,29 +13,6 @@
 #include "tolman/status.hpp"
 
 namespace tolman::config {
-
-/// Looks up an environment variable.
-using Environment = std::function<std::optional<std::string>(const std::string& name)>;
-
-/// The environment of this process.
-Environment processEnvironment();
-
-/// Replaces ${NAME} by the variable, and ${NAME:-default} by the default if the variable is unset
-/// or empty. $${ stands for ${. Adds the names to `used`, "A, B (not set)".
-Result<std::string> expandVariables(const std::string& text, const Environment& environment,
-                                    std::string& used);
-
-/// Reads one YAML document; an empty one gives a Null node. `source` is the origin of all values;
-/// line and column are filled in where it is a file. `path` is the key of the document in messages.
-/// With an environment its variables are expanded in all values. The result is not parsed as YAML
-/// again and counts as unquoted: {port: "${PORT:-8080}"} is a number.
-///
-/// Stricter than yaml-cpp: of duplicate keys the first is kept and the others are problems. Merge
-/// keys, tags, keys that are not scalars, unclosed quotes, control characters, several documents,
-/// more than 32 levels and more than 20000 values (aliases count as copies) are problems and give
-/// no tree. Does not throw for any input.
-std::optional<Node> readYaml(const std::string& text, const Origin& source, Problems& problems,
-                             const Environment& environment = {}, const std::string& path = {});
 
 /// Applies each "path=value" to the tree. Parts of a path are keys, or indices of a list
 /// ("observers.0.port=1"; the index after the last one appends). The value is YAML: a scalar,

@@ -2,6 +2,7 @@
 // A configured system: the host's settings and the stages in processing order.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -46,6 +47,23 @@ struct SystemConfig {
   std::vector<StageConfig> stages;  ///< source, odometry, place, cells, map, observers
   BaseFolders folders;
 };
+
+/// Calls visit("pipeline", config.pipeline), and so on for each group of the host's keys, in the
+/// order in which they are written.
+template <class Config, class Visit>
+void visitSections(Config& config, const Visit& visit) {
+  visit("pipeline", config.pipeline);
+  visit("evaluation", config.evaluation);
+  visit("record", config.record);
+  visit("isolation", config.isolation);
+  visit("checks", config.checks);
+  visit("rectification", config.rectification);
+  visit("images", config.images);
+}
+
+/// The roles of the stages that every system has, in processing order.
+inline constexpr std::array kChain = {Role::Source, Role::Odometry, Role::Place, Role::Cells,
+                                      Role::Map};
 
 /// First step: everything except the plugins' parameters. Values with problems get their defaults;
 /// such a system must not be run.

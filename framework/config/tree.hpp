@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tree of a configuration: scalars, lists and maps, each with the position where it was set,
-// and the problems found in them.
+// the problems found in them, and their reading from YAML. Only this room uses yaml-cpp.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tolman/status.hpp"
 
 namespace tolman::config {
 
@@ -83,5 +87,27 @@ struct Difference {
 
 /// Scalars that are not the same in all trees, by key.
 std::vector<Difference> differencesOf(const std::vector<const Node*>& trees);
+
+/// Looks up an environment variable.
+using Environment = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// The environment of this process.
+Environment processEnvironment();
+
+/// Replaces ${NAME} by the variable, and ${NAME:-default} by the default if the variable is unset
+/// or empty. $${ stands for ${. Adds the names to `used`, "A, B (not set)".
+Result<std::string> expandVariables(const std::string& text, const Environment& environment,
+                                    std::string& used);
+
+/// Reads one YAML document; an empty one gives a Null node. `source` is the origin of all values;
+/// line and column are filled in where it is a file. `path` is the key of the document in messages.
+/// With an environment its variables are expanded in all values. The result is not parsed as YAML
+/// again and counts as unquoted: {port: "${PORT:-8080}"} is a number.
+///
+/// Stricter than yaml-cpp: of duplicate keys the first is kept and the others are problems. Merge
+/// keys, aliases, tags, keys that are not scalars, unclosed quotes and several documents are problems
+/// and give no tree. Does not throw for any input.
+std::optional<Node> readYaml(const std::string& text, const Origin& source, Problems& problems,
+                             const Environment& environment = {}, const std::string& path = {});
 
 }  // namespace tolman::config

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <system_error>
 
 #include "config/text.hpp"
@@ -47,23 +48,158 @@ bool hasLeadingZero(std::string_view text) {
 
 /// Parses the whole text. from_chars() does not accept a plus sign.
 template <class T>
-std::errc parseAll(std::string_view text, T& value) {
+std::errc parseWhole(std::string_view text, T& value) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{}) return error;
-  return stop == end ? std::errc{} : std::errc::invalid_argument;
+  return error == std::errc() && stop != end ? std::errc::invalid_argument : error;
 }
 
 /// nan and inf, with or without the dot of YAML.
 bool isNotFinite(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of("+-."), text.size()));
   double value = 0;
-  return parseAll(text, value) == std::errc{} && !std::isfinite(value);
+  return parseWhole(text, value) == std::errc{} && !std::isfinite(value);
 }
 
 Status refused(const std::string& expected, const std::string& text, const std::string& remedy) {
   return Status::invalidParameter("expects " + expected + ", not '" + text + "'" + remedy);
+}
+
+std::string expectation(const ParameterInfo& info) {
+  constexpr std::array kTypes = {"true or false",
+                                 "an integer",
+                                 "a number",
+                                 "a text",
+                                 "a path",
+                                 "one of ",
+                                 "a list of numbers such as [1, 2.5]"};
+  return kTypes.at(static_cast<std::size_t>(info.type)) + listed(info.choices);
+}
+
+std::string rangeText(const ParameterInfo& info) {
+  const std::string unit = info.unit.empty() ? "" : " " + info.unit;
+  if (std::isinf(info.max)) return "at least " + writeReal(info.min) + unit;
+  if (std::isinf(info.min)) return "at most " + writeReal(info.max) + unit;
+  return writeReal(info.min) + " ... " + writeReal(info.max) + unit;
+}
+
+/// Reads the value of one parameter. Each failure is reported as one problem.
+class ValueReader {
+ public:
+  ValueReader(const ParameterInfo& info, std::string path, const BaseFolders& folders,
+              Problems& problems)
+      : info_(info), path_(std::move(path)), folders_(folders), problems_(problems) {}
+
+  std::optional<ParameterValue> read(const Node& node) {
+    if (info_.type == ParameterType::RealList) return readList(node);
+    if (!node.isScalar())
+      return refuse(node, "expects " + expectation(info_) + ", not " + describe(node));
+    switch (info_.type) {
+      case ParameterType::Bool:
+        return readPlain(node, &readBool);
+      case ParameterType::Integer:
+        return inRange(node, readPlain(node, &readInteger));
+      case ParameterType::Real:
+        return inRange(node, readPlain(node, &readReal));
+      case ParameterType::Path:
+        return readPath(node);
+      case ParameterType::Choice:
+        return readChoice(node);
+      default:
+        return node.text;
+    }
+  }
+
+ private:
+  std::nullopt_t refuse(const Node& node, const std::string& message) {
+    problems_.push_back({node.origin, path_, message});
+    return std::nullopt;
+  }
+
+  template <class T>
+  std::optional<ParameterValue> readPlain(const Node& node,
+                                          Result<T> (*parse)(const std::string&)) {
+    const Result<T> value = parse(node.text);
+    if (!value.isOk()) return refuse(node, value.status().message());
+    if (node.quoted) {
+      return refuse(node, "expects " + expectation(info_) + ", not a text; remove the quotes");
+    }
+    return value.value();
+  }
+
+  std::optional<ParameterValue> inRange(const Node& node, std::optional<ParameterValue> value) {
+    if (!value) return value;
+    const auto* integer = std::get_if<std::int64_t>(&*value);
+    const double number =
+        integer != nullptr ? static_cast<double>(*integer) : std::get<double>(*value);
+    if (number >= info_.min && number <= info_.max) return value;
+    return refuse(node, node.text + " is out of range: " + rangeText(info_));
+  }
+
+  std::optional<ParameterValue> readPath(const Node& node) {
+    const Result<std::string> path = resolvePath(node.text, node.origin, folders_);
+    if (!path.isOk()) return refuse(node, path.status().message());
+    const std::string denied = absence(path.value(), "");
+    if (!denied.empty()) return refuse(node, path.value() + ": " + denied);
+    return path.value();
+  }
+
+  std::optional<ParameterValue> readChoice(const Node& node) {
+    if (std::ranges::find(info_.choices, node.text) != info_.choices.end()) return node.text;
+    return refuse(node, "expects " + expectation(info_) + ", not '" + node.text + "'" +
+                            didYouMean(node.text, info_.choices));
+  }
+
+  std::optional<ParameterValue> readList(const Node& node) {
+    if (!node.isSequence()) {
+      return refuse(node, "expects " + expectation(info_) + ", not " + describe(node));
+    }
+    std::vector<double> list;
+    for (const Node& item : node.children) {
+      ParameterInfo number = info_;
+      number.type = ParameterType::Real;
+      const auto value =
+          ValueReader(number, joinPath(path_, item.key), folders_, problems_).read(item);
+      if (value) list.push_back(std::get<double>(*value));
+    }
+    if (list.size() < node.children.size()) return std::nullopt;
+    return list;
+  }
+
+  const ParameterInfo& info_;
+  std::string path_;
+  const BaseFolders& folders_;
+  Problems& problems_;
+};
+
+std::vector<std::string> namesOf(const Schema& schema) {
+  std::vector<std::string> names;
+  for (const ParameterInfo& info : schema) names.push_back(info.name);
+  return names;
+}
+
+void refuseUnknown(const Node& map, const Schema& schema, const Subject& subject,
+                   Problems& problems) {
+  const std::vector<std::string> own = namesOf(schema);
+  std::vector<std::string> known = own;
+  known.insert(known.end(), subject.also_known.begin(), subject.also_known.end());
+  const std::string list = subject.owner.empty() ? "keys: " + listed(known)
+                           : own.empty()         ? subject.owner + " has no parameters"
+                                         : "parameters of " + subject.owner + ": " + listed(own);
+  const std::string unknown = subject.owner.empty() ? "unknown key" : "unknown parameter";
+  for (const Node& child : map.children) {
+    if (std::ranges::find(known, child.key) != known.end()) continue;
+    problems.push_back({child.key_origin, joinPath(subject.path, child.key),
+                        unknown + didYouMean(child.key, known) + " (" + list + ")"});
+  }
+}
+
+/// The default; paths are resolved.
+ParameterValue defaultOf(const ParameterInfo& info, const BaseFolders& folders) {
+  if (info.type != ParameterType::Path) return info.default_value;
+  const auto path = resolvePath(std::get<std::string>(info.default_value), {}, folders);
+  return path.isOk() ? path.value() : info.default_value;
 }
 
 }  // namespace
@@ -71,14 +207,14 @@ Status refused(const std::string& expected, const std::string& text, const std::
 Result<std::int64_t> readInteger(const std::string& text) {
   if (hasLeadingZero(text)) return refused("an integer", text, "; write it without leading zeros");
   std::int64_t value = 0;
-  const std::errc error = parseAll(text, value);
+  const std::errc error = parseWhole(text, value);
   if (error == std::errc{}) return value;
   if (error == std::errc::result_out_of_range) {
     return refused("an integer of at most 64 bits", text, "");
   }
   double real = 0;
   const bool integral =
-      parseAll(text, real) == std::errc{} && std::abs(real) < 1e15 && real == std::floor(real);
+      parseWhole(text, real) == std::errc{} && std::abs(real) < 1e15 && real == std::floor(real);
   const std::string digits = integral ? std::to_string(static_cast<std::int64_t>(real)) : "";
   return refused("an integer", text, integral ? "; write " + digits : "");
 }
@@ -86,7 +222,7 @@ Result<std::int64_t> readInteger(const std::string& text) {
 Result<double> readReal(const std::string& text) {
   if (hasLeadingZero(text)) return refused("a number", text, "; write it without leading zeros");
   double value = 0;
-  const std::errc error = parseAll(text, value);
+  const std::errc error = parseWhole(text, value);
   const bool tiny = text.find("e-") != std::string::npos || text.find("E-") != std::string::npos;
   if (error == std::errc::result_out_of_range && tiny) {
     return refused("0 or a number of at least 1e-307", text, "; write 0");
@@ -126,6 +262,18 @@ std::string writeReal(double value) {
 
 std::string writeText(const std::string& text) { return isPlainWord(text) ? text : quoted(text); }
 
+std::string writeValue(const ParameterValue& value) {
+  if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return writeReal(*real);
+  if (const auto* string = std::get_if<std::string>(&value)) return writeText(*string);
+  std::string list;
+  for (const double item : std::get<std::vector<double>>(value)) {
+    list += (list.empty() ? "" : ", ") + writeReal(item);
+  }
+  return '[' + list + ']';
+}
+
 Result<std::string> resolvePath(const std::string& path, const Origin& origin,
                                 const BaseFolders& folders) {
   if (path.empty()) return path;
@@ -151,6 +299,27 @@ std::string absence(const std::filesystem::path& path, const std::string& missin
   const int reading = R_OK | (std::filesystem::is_directory(path, ignored) ? X_OK : 0);
   if (::access(path.c_str(), reading) == 0 || errno != EACCES) return missing;
   return "permission denied; let this user read it, and enter the folders above it (`chmod u+rX`)";
+}
+
+ParameterValues check(const Node& map, const Schema& schema, const Subject& subject,
+                      const BaseFolders& folders, Problems& problems) {
+  if (!map.isMap()) {
+    problems.push_back({map.origin, subject.path, "expects a map of keys, not " + describe(map)});
+  }
+  if (map.isMap()) refuseUnknown(map, schema, subject, problems);
+  ParameterValues values;
+  for (const ParameterInfo& info : schema) {
+    values[info.name] = defaultOf(info, folders);
+    const std::string path = joinPath(subject.path, info.name);
+    if (const Node* given = map.find(info.name)) {
+      const auto value = ValueReader(info, path, folders, problems).read(*given);
+      if (value) values[info.name] = *value;
+    } else if (info.required && map.isMap()) {
+      const std::string who = subject.owner.empty() ? "" : " for " + subject.owner;
+      problems.push_back({map.origin, path, "is missing" + who + ": " + info.doc});
+    }
+  }
+  return values;
 }
 
 }  // namespace tolman::config

@@ -32,6 +32,9 @@ std::string writeReal(double value);
 /// A YAML scalar that is read as exactly this text, quoted where it must be.
 std::string writeText(const std::string& text);
 
+/// A value as YAML that is read as the same value.
+std::string writeValue(const ParameterValue& value);
+
 /// Folders that relative paths refer to.
 struct BaseFolders {
   std::filesystem::path working_directory;
@@ -56,8 +59,7 @@ struct Subject {
 };
 
 /// Values of all parameters, defaults included. Unknown keys, wrong types, values out of range and
-/// missing required values are all reported; such a parameter keeps its default. An unknown key
-/// that occurs in the doc of a parameter as "Formerly `key`." is reported as renamed.
+/// missing required values are all reported; such a parameter keeps its default.
 ParameterValues check(const Node& map, const Schema& schema, const Subject& subject,
                       const BaseFolders& folders, Problems& problems);
 

@@ -35,20 +35,21 @@ host::Manifest CheckContext::manifest() const {
   auto read = host::readManifest(task_.file, task_.id);
   if (const auto* refusal = std::get_if<host::Refusal>(&read)) refuse(*refusal);
   auto& manifest = std::get<host::Manifest>(read);
-  manifest.program = task_.program;
+  manifest.program = task_.program_file;
   return std::move(manifest);
 }
 
 const PluginUnderTest& CheckContext::plugin() {
   if (plugin_) return *plugin_;
   const host::Manifest found = manifest();
-  send_(CallStarted{"load"});
+  send_({{"call", "load"}});
   auto loaded = host::loadPlugin(found, host::HostIdentity::ofThisBuild());
   if (const auto* refusal = std::get_if<host::Refusal>(&loaded)) refuse(*refusal);
   auto& opened = std::get<host::LoadedPlugin>(loaded);
-  const Trace trace = [this](const std::string& call) { send_(CallStarted{call}); };
+  const Trace trace = [this](const std::string& call) { send_({{"call", call}}); };
   return plugin_.emplace(PluginUnderTest{readSettings(opened.schema, task_.id, task_.set),
-                                         std::move(opened), task_.seed, task_.scratch, trace});
+                                         std::move(opened), task_.seed,
+                                         task_.folder / kPluginFolder, trace});
 }
 
 const PluginUnderTest& CheckContext::completePlugin() {
@@ -83,8 +84,6 @@ bool CheckContext::needsDepth(SequenceOptions options) {
          instance.run(sequence).code() == StatusCode::Unsupported;
 }
 
-InputSequence CheckContext::sequence() { return makeSequence(sequenceOptions()); }
-
 InputSequence CheckContext::otherSequence() {
   SequenceOptions options = sequenceOptions();
   ++options.seed;
@@ -108,8 +107,8 @@ Transcript CheckContext::runOnce(const InputSequence& sequence, const std::strin
 }
 
 void CheckContext::report(CheckSeverity severity, const std::string& message,
-                          std::string remedy) const {
-  send_(CheckFinding{severity, message, std::move(remedy)});
+                          const std::string& remedy) const {
+  send_({{"severity", enumName(severity)}, {"message", message}, {"remedy", remedy}});
 }
 
 void CheckContext::note(const std::string& message) const {
@@ -142,7 +141,7 @@ void CheckContext::require(const Status& status, const std::string& when) const 
 
 double CheckContext::timeUsed() const {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin_;
-  return seconds.count() / task_.timeout_s;
+  return seconds.count() / task_.timeout;
 }
 
 }  // namespace tolman::conformance

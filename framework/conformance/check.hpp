@@ -1,36 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The context of one check: the plugin, its input, and the messages to the kit; and the table of
-// checks.
+// checks: each is one requirement on a plugin and the function that tests it.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "conformance/check_result.hpp"
-#include "conformance/child.hpp"
+#include "conformance/kit.hpp"
 #include "conformance/test_instance.hpp"
-#include "tolman/fields.hpp"
-#include "tolman/roles.hpp"
 
 namespace tolman::conformance {
 
-// The context of one check: the plugin, its input, and the messages to the kit.
+/// What the process of one check is to do.
+struct CheckTask : KitOptions {
+  std::string check;
+  std::filesystem::path folder;  ///< for its messages, and below it for files of the plugin
+};
+inline constexpr const char* kPluginFolder = "plugin";
 
 /// Thrown to end a check early. The messages sent so far remain valid.
 struct CheckEnded {};
 
 class CheckContext {
  public:
-  using Send = std::function<void(const CheckMessage&)>;
+  using Send = std::function<void(const nlohmann::ordered_json&)>;
 
   /// `remedy` is added to warnings and errors that have none.
   CheckContext(CheckTask task, std::string_view remedy, Send send)
@@ -47,7 +48,7 @@ class CheckContext {
 
   /// Input for the role; from one camera if the plugin does not support two, with depth images if
   /// it is an odometry that does not support images alone.
-  InputSequence sequence();
+  InputSequence sequence() { return makeSequence(sequenceOptions()); }
   /// A shorter sequence of the same rig: other images, other noise, fewer frames per circle.
   InputSequence otherSequence();
   SequenceOptions sequenceOptions();
@@ -57,13 +58,13 @@ class CheckContext {
   /// `when` goes before its message.
   Transcript runOnce(const InputSequence& sequence, const std::string& when = {});
 
-  /// Describes the input of the calls that follow.
-  void currentInput(const std::string& description) const { send_(CurrentInput{description}); }
+  /// Describes the input of the calls that follow: "draw 7 of seed 1".
+  void currentInput(const std::string& description) const { send_({{"input", description}}); }
   void error(const std::string& message, const std::string& remedy = {}) const;
   void warning(const std::string& message, const std::string& remedy = {}) const;
   void note(const std::string& message) const;
   void measured(const std::string& name, double value, const std::string& unit) const {
-    send_(Measurement{name, value, unit});
+    send_({{"name", name}, {"value", value}, {"unit", unit}});
   }
   [[noreturn]] void skip(const std::string& reason) const;
   [[noreturn]] void refuse(const host::Refusal& refusal) const;
@@ -75,7 +76,7 @@ class CheckContext {
  private:
   /// Whether an odometry refuses the first frame of such a sequence, as Unsupported.
   bool needsDepth(SequenceOptions options);
-  void report(CheckSeverity severity, const std::string& message, std::string remedy) const;
+  void report(CheckSeverity severity, const std::string& message, const std::string& remedy) const;
 
   CheckTask task_;
   std::string remedy_;
@@ -91,10 +92,20 @@ class CheckContext {
 Settings readSettings(const Schema& schema, const std::string& id,
                       const std::vector<std::string>& assignments);
 
-// The table of conformance checks: each is one requirement on a plugin and the function that tests
-// it.
+/// Random legal values: about half of the parameters change, some to an end of their range; ranges
+/// over two decades are sampled logarithmically. Draw number `index` of a seed, the same on every
+/// machine. Values of --set stay.
+ParameterValues randomParameters(const PluginUnderTest& plugin, std::uint64_t seed, int index);
 
-class CheckContext;
+/// The options that turn `base` into `drawn`: "--set a=1 --set b=false".
+std::string difference(const ParameterValues& base, const ParameterValues& drawn);
+
+/// Whether configure() has refused parameters or a rig.
+inline bool isRefusal(const Status& status) {
+  const StatusCode code = status.code();
+  return code == StatusCode::InvalidParameter || code == StatusCode::Unsupported ||
+         code == StatusCode::InvalidInput;
+}
 
 /// Roles as a bit mask.
 constexpr unsigned bit(Role role) { return 1U << static_cast<unsigned>(role); }
@@ -118,11 +129,7 @@ struct Check {
 std::span<const Check> declarationChecks();
 std::span<const Check> lifeChecks();
 std::span<const Check> inputChecks();
-std::span<const Check> parameterChecks();
-std::span<const Check> repeatChecks();
-std::span<const Check> stateChecks();
 std::span<const Check> processChecks();
-std::span<const Check> costChecks();
 
 /// All checks in the order in which they run.
 std::vector<Check> allChecks();

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The declaration of a plugin: manifest, symbols, parameters.
+// The declaration of a plugin: manifest, symbols, parameters. Legal parameters work, illegal ones
+// are refused.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include "config/values.hpp"
 #include "conformance/check.hpp"
 
 namespace tolman::conformance {
@@ -43,9 +49,9 @@ bool isNumber(ParameterType type) {
          type == ParameterType::RealList;
 }
 
+/// The limits of the type are not a declared range.
 bool hasRange(const ParameterInfo& info) {
-  constexpr double kInt =
-      std::numeric_limits<int>::max();  // the limits of the type are not a declared range
+  constexpr double kInt = std::numeric_limits<int>::max();
   return info.min > -kInt || info.max < kInt;
 }
 
@@ -62,22 +68,147 @@ void checkSchema(CheckContext& context) {
   for (const ParameterInfo& info : context.plugin().loaded.schema) checkParameter(info, context);
 }
 
+constexpr double kChanged = 0.5;   // share of the parameters
+constexpr double kExtreme = 0.15;  // share of the changed ones that get an end of their range
+
+/// The declared limit; without one, ten times the default away from it.
+double limit(double declared, double standard, double sign) {
+  if (std::abs(declared) < 2e9) return declared;
+  return standard + sign * 10 * (std::abs(standard) + 1);
+}
+
+double drawNumber(const ParameterInfo& info, double standard, RandomStream& random) {
+  const double low = limit(info.min, standard, -1);
+  const double high = limit(info.max, standard, 1);
+  const double where = random.uniform();
+  if (where < kExtreme / 2) return low;
+  if (where < kExtreme) return high;
+  const bool decades = low > 0 && high > 100 * low;
+  const double share = random.uniform();
+  return decades ? low * std::pow(high / low, share) : low + share * (high - low);
+}
+
+ParameterValue drawValue(const ParameterInfo& info, const ParameterValue& base,
+                         RandomStream& random) {
+  switch (info.type) {
+    case ParameterType::Bool:
+      return random.below(2) == 1;
+    case ParameterType::Choice:
+      return info.choices[random.below(info.choices.size())];
+    case ParameterType::Integer: {
+      const auto standard = static_cast<double>(std::get<std::int64_t>(base));
+      const double number = std::round(drawNumber(info, standard, random));
+      return static_cast<std::int64_t>(std::clamp(number, info.min, info.max));
+    }
+    case ParameterType::Real:
+      return std::clamp(drawNumber(info, std::get<double>(base), random), info.min, info.max);
+    case ParameterType::RealList: {
+      auto list = std::get<std::vector<double>>(base);
+      for (double& x : list) x = std::clamp(drawNumber(info, x, random), info.min, info.max);
+      return list;
+    }
+    default:
+      return base;  // which texts and paths are legal is not declared
+  }
+}
+
+void checkRandom(CheckContext& context) {
+  constexpr std::size_t kFrames = 10;
+  constexpr int kWanted = 20;  // draws that configure() accepts
+  constexpr int kMaxDraws = 100;
+  constexpr int kMaxFailures = 3;
+  const PluginUnderTest& plugin = context.completePlugin();
+  const InputSequence sequence = shortened(context.sequence(), kFrames);
+  const std::uint64_t seed = context.task().seed;
+  int drawn = 0;
+  int worked = 0;
+  int refused = 0;
+  int failed = 0;
+  for (; worked < kWanted && failed < kMaxFailures && drawn < kMaxDraws && context.timeUsed() < 0.6;
+       ++drawn) {
+    const ParameterValues values = randomParameters(plugin, seed, drawn);
+    const std::string draw =
+        fmt::format("draw {} of seed {} ({})", drawn, seed, difference(plugin.values, values));
+    context.currentInput(draw);
+    TestInstance instance(plugin, values);
+    Status status = instance.configure(sequence.rig);
+    const bool is_refused = isRefusal(status);
+    if (status.isOk()) status = instance.run(sequence);
+    if (status.isOk()) status = instance.finish(sequence);
+    ++(is_refused ? refused : status.isOk() ? worked : failed);
+    if (!is_refused && !status.isOk()) context.error(draw + ": " + status.message());
+  }
+  context.note(fmt::format("{} draws of seed {}: {} worked, {} refused by configure()", drawn, seed,
+                           worked, refused));
+}
+
+void checkMissingData(CheckContext& context) {
+  const PluginUnderTest& plugin = context.plugin();
+  ParameterValues values = plugin.values;
+  bool has_path = false;
+  for (const ParameterInfo& info : plugin.loaded.schema) {
+    if (info.type != ParameterType::Path || !info.required) continue;
+    values[info.name] = (plugin.scratch / "nothing/here").string();
+    has_path = true;
+  }
+  if (!has_path) context.skip("it has no required path");
+  TestInstance instance(plugin, values);
+  const Status status = instance.configure({});
+  if (status.isOk()) {
+    context.error("configure() accepts a path that does not exist",
+                  "check the data in configure(), so that errors come before frame 0");
+  } else if (status.message().find("nothing") == std::string::npos) {
+    context.warning("the failure does not name the path: " + status.message(),
+                    "name the missing file and a remedy");
+  }
+}
+
 constexpr std::array kDeclarationChecks = {
     Check{"manifest", 1, kAllRoles,
           "a summary, a version, and a build that is compatible with this host",
           "pass version and summary to TOLMAN_PLUGIN", &checkManifest},
     Check{"load", 1, kAllRoles,
           "opens with all symbols resolved, its code agrees with the manifest, and its parameters "
-          "have "
-          "unique names and ranges that hold their defaults",
+          "have unique names and ranges that hold their defaults",
           "build from clean with tolman_add_plugin()", &checkLoad},
     Check{"settings", 1, kAllRoles, "the values of --set are legal", "correct the --set",
           &checkSettings},
     Check{"schema", 1, kAllRoles, "every parameter has a doc and, where it is a number, a range",
           "complete the declaration", &checkSchema},
+    Check{"parameters-random", 1, kAllRoles,
+          "works with any legal parameters, or refuses them in configure()",
+          "narrow the ranges, or refuse the combination with Status::invalidParameter()",
+          &checkRandom},
+    Check{"missing-data", 1, kSource, "missing data are refused with their path",
+          "check the data in configure()", &checkMissingData},
 };
 
 }  // namespace
+
+ParameterValues randomParameters(const PluginUnderTest& plugin, std::uint64_t seed, int index) {
+  RandomStream random(seed * 1'000'003 + static_cast<std::uint64_t>(index));
+  ParameterValues values = plugin.values;
+  for (const ParameterInfo& info : plugin.loaded.schema) {
+    RandomStream own = random.fork();  // so that a new parameter does not change the others
+    const auto& set = plugin.set;
+    if (std::find(set.begin(), set.end(), info.name) != set.end()) continue;
+    if (own.uniform() < kChanged) {
+      values[info.name] = drawValue(info, values.find(info.name)->second, own);
+    }
+  }
+  return values;
+}
+
+std::string difference(const ParameterValues& base, const ParameterValues& drawn) {
+  std::string words;
+  for (const auto& [name, value] : drawn) {
+    if (value == base.find(name)->second) continue;
+    std::string text = config::writeValue(value);
+    if (std::holds_alternative<std::vector<double>>(value)) std::erase(text, ' ');  // one word
+    words += (words.empty() ? "--set " : " --set ") + name + "=" + text;
+  }
+  return words;
+}
 
 std::span<const Check> declarationChecks() { return kDeclarationChecks; }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls in every legal order, and valid answers in a plain run.
+// Calls in every legal order, valid answers in a plain run, repeated runs, and saved state.
 #include <oneapi/tbb/global_control.h>
 
 #include <array>
+#include <map>
+#include <sstream>
 #include <thread>
+#include <utility>
 
 #include "conformance/check.hpp"
-#include "conformance/checks_input.hpp"
+#include "conformance/test_instance.hpp"
+#include "tolman/context.hpp"
 
 namespace tolman::conformance {
 
@@ -81,29 +85,7 @@ void checkEnd(CheckContext& context) {
                 (beyond.isOk() ? std::string("one more frame") : beyond.message()));
 }
 
-constexpr std::array kLifeChecks = {
-    Check{"life-unused", 1, kAllRoles, "may be destroyed before and right after configure()",
-          "initialise every member; the destructor must not need configure()", &checkUnused},
-    Check{"life-no-frames", 1, kAllRoles, "finish() and reset() work without any frame",
-          "finish() may be called before the first frame", &checkNoFrames},
-    Check{"answers", 1, kAllRoles, "exactly one valid answer to each frame of a plain run",
-          "see the contract in roles.hpp and records.hpp", &checkAnswers},
-    Check{"life-cut-short", 1, kAllRoles, "may be destroyed during a run, without finish()",
-          "the destructor must release what finish() would", &checkCutShort},
-    Check{"life-again", 1, kAllRoles,
-          "works again after finish() and reset(), and after reset() during a run",
-          "reset() restores every member to its value after configure()", &checkAgain, true},
-    Check{"source-end", 1, kSource, "gives the number of frames of info(), then always EndOfStream",
-          "return Status::endOfStream() after the last frame, always", &checkEnd},
-};
-
-}  // namespace
-
-std::span<const Check> lifeChecks() { return kLifeChecks; }
-
 // Equal input gives bitwise equal answers: in a second instance, after reset(), with other threads.
-
-namespace {
 
 Transcript answersOf(CheckContext& context, TestInstance& instance, const InputSequence& sequence) {
   context.require(instance.run(sequence));
@@ -194,7 +176,61 @@ void checkPadding(CheckContext& context) {
   compare(context, expected, context.runOnce(sequence), "a run with padded image rows");
 }
 
-constexpr std::array kRepeatChecks = {
+/// An instance that was loaded with what `instance` saved.
+std::unique_ptr<TestInstance> restoredFrom(CheckContext& context, TestInstance& instance,
+                                           const CameraRig& rig, std::size_t& size) {
+  std::stringstream stream;
+  context.require(instance.save(stream));
+  size = stream.str().size();
+  auto restored = context.configured(rig);
+  context.require(restored->load(stream));
+  restored->continueRun(instance);
+  return restored;
+}
+
+/// Saves early, half way and late, because a missing part of the state may not affect the answers
+/// after one of these frames.
+void checkState(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto instance = context.configured(sequence.rig);
+  if (!instance->keepsState()) context.skip("it does not implement StateKeeper");
+  std::map<std::size_t, std::unique_ptr<TestInstance>> restored;  // by the next frame
+  std::size_t next = 0;
+  std::size_t size = 0;
+  for (const std::size_t tenths : {2U, 5U, 8U}) {
+    const std::size_t first = std::exchange(next, tenths * sequence.inputs.size() / 10);
+    context.require(instance->run(sequence, first, next));
+    restored[next] = restoredFrom(context, *instance, sequence.rig, size);
+  }
+  context.measured("saved state", static_cast<double>(size) / 1024, "KiB");
+  context.require(instance->run(sequence, next), "after save");
+  context.require(instance->finish(sequence), "after save");
+  for (const auto& [frame, other] : restored) {
+    context.require(other->run(sequence, frame), "after save and load");
+    context.require(other->finish(sequence), "after save and load");
+    if (const auto difference =
+            firstDifference(instance->transcript(), other->transcript(), frame)) {
+      context.error("saved before frame " + std::to_string(frame) +
+                    ", answers after load() differ at " + *difference);
+      return;
+    }
+  }
+}
+
+constexpr std::array kLifeChecks = {
+    Check{"life-unused", 1, kAllRoles, "may be destroyed before and right after configure()",
+          "initialise every member; the destructor must not need configure()", &checkUnused},
+    Check{"life-no-frames", 1, kAllRoles, "finish() and reset() work without any frame",
+          "finish() may be called before the first frame", &checkNoFrames},
+    Check{"answers", 1, kAllRoles, "exactly one valid answer to each frame of a plain run",
+          "see the contract in roles.hpp and records.hpp", &checkAnswers},
+    Check{"life-cut-short", 1, kAllRoles, "may be destroyed during a run, without finish()",
+          "the destructor must release what finish() would", &checkCutShort},
+    Check{"life-again", 1, kAllRoles,
+          "works again after finish() and reset(), and after reset() during a run",
+          "reset() restores every member to its value after configure()", &checkAgain, true},
+    Check{"source-end", 1, kSource, "gives the number of frames of info(), then always EndOfStream",
+          "return Status::endOfStream() after the last frame, always", &checkEnd},
     Check{"deterministic", 2, kAllRoles,
           "two instances with equal seed and input give bitwise equal answers",
           "depend only on input, parameters and context.seed: no clock, address or uninitialised "
@@ -213,10 +249,12 @@ constexpr std::array kRepeatChecks = {
           &checkThreads, true},
     Check{"migration", 3, kAllRoles, "answers do not depend on the calling thread",
           "keep no state in thread-local variables", &checkMigration, true},
+    Check{"state", 2, kAllRoles, "after save() and load() all later answers are bitwise equal",
+          "save everything that later answers depend on, random streams included", &checkState},
 };
 
 }  // namespace
 
-std::span<const Check> repeatChecks() { return kRepeatChecks; }
+std::span<const Check> lifeChecks() { return kLifeChecks; }
 
 }  // namespace tolman::conformance

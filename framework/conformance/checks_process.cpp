@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time and memory: reported without a limit.
+// Side effects of a plugin on its process: global state, threads, files, memory; and its cost.
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
@@ -42,27 +42,6 @@ void checkCost(CheckContext& context) {
   context.measured("peak memory", std::max(0.0, peakResidentMib() - before_mib), "MiB");
 }
 
-constexpr std::array kCostChecks = {
-    Check{"cost", 1, kAllRoles, "time and memory, for information", "", &checkCost},
-};
-
-}  // namespace
-
-std::span<const Check> costChecks() { return kCostChecks; }
-
-std::vector<Check> allChecks() {
-  std::vector<Check> all;
-  for (const auto& group : {declarationChecks(), lifeChecks(), inputChecks(), parameterChecks(),
-                            repeatChecks(), stateChecks(), processChecks(), costChecks()}) {
-    all.insert(all.end(), group.begin(), group.end());
-  }
-  return all;
-}
-
-// Side effects of a plugin on its process: global state, threads, files, memory.
-
-namespace {
-
 /// Detects calls of rand() and srand().
 class RandProbe {
  public:
@@ -94,70 +73,32 @@ void checkGlobals(CheckContext& context) {
   if (!output.err().empty()) context.warning("wrote to stderr: '" + output.err() + "'");
 }
 
-struct Resources {
-  std::size_t threads = 0;
-  std::map<int, std::string> files;
-};
-
-Resources resources(std::size_t expected_threads) {
-  return {threadCount(expected_threads), openFiles()};
-}
-
-void compareFiles(const CheckContext& context, const std::map<int, std::string>& before,
-                  const std::map<int, std::string>& after) {
-  for (const auto& [descriptor, target] : after) {
-    if (!before.contains(descriptor)) context.error("left a file open: " + target);
-  }
-}
-
 /// The first instance may create pools and caches that stay; the second must release all that it
 /// acquires. oneTBB gets no workers, so every other thread is the plugin's own.
 void checkLeaks(CheckContext& context) {
   const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
   const InputSequence sequence = shortened(context.sequence(), 8);
-  const Resources at_first = resources(1);
+  const std::size_t at_first = threadCount(1);
   context.runOnce(sequence);
-  const Resources before = resources(at_first.threads);
+  const std::size_t before = threadCount(at_first);
+  const std::map<int, std::string> files_before = openFiles();
   const auto instance = context.configured(sequence.rig);
   context.require(instance->run(sequence));
   context.require(instance->finish(sequence));
-  const std::size_t after_finish = threadCount(before.threads);
+  const std::size_t after_finish = threadCount(before);
   context.require(instance->destroy());
-  const Resources after = resources(before.threads);
-  if (after.threads > before.threads) {
-    context.error("left a thread running: " + std::to_string(after.threads - before.threads) +
-                      " more with each instance",
-                  "join threads in finish() and in the destructor");
-  } else if (after_finish > before.threads) {
+  const std::size_t after = threadCount(before);
+  if (after > before) {
+    context.error(
+        "left a thread running: " + std::to_string(after - before) + " more with each instance",
+        "join threads in finish() and in the destructor");
+  } else if (after_finish > before) {
     context.error("a thread still runs after finish()", "join threads in finish()");
-  } else if (before.threads > at_first.threads) {
-    context.note(std::to_string(before.threads - at_first.threads) + " threads of a pool remain");
+  } else if (before > at_first) {
+    context.note(std::to_string(before - at_first) + " threads of a pool remain");
   }
-  compareFiles(context, before.files, after.files);
-}
-
-void checkMemory(CheckContext& context) {
-  constexpr int kWarmUp = 3;
-  constexpr int kInstances = 5;
-  constexpr double kTolerated = 16;  // KiB per instance
-  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
-  const InputSequence sequence = shortened(context.sequence(), 8);
-  for (int i = 0; i < kWarmUp && context.timeUsed() < 0.3; ++i) context.runOnce(sequence);
-  int instances = 0;
-  int grown = 0;
-  const std::size_t begin = heapBytes();
-  for (std::size_t last = begin; instances < kInstances && context.timeUsed() < 0.8; ++instances) {
-    context.runOnce(sequence);
-    const std::size_t now = heapBytes();
-    if (now > last) ++grown;
-    last = now;
-  }
-  const double kib = (static_cast<double>(heapBytes()) - static_cast<double>(begin)) / 1024 /
-                     std::max(instances, 1);
-  context.measured("heap growth per instance", kib, "KiB");
-  if (grown == instances && instances > 1 && kib > kTolerated) {
-    context.warning("each instance leaves " + std::to_string(static_cast<int>(kib)) +
-                    " KiB on the heap");
+  for (const auto& [descriptor, target] : openFiles()) {
+    if (!files_before.contains(descriptor)) context.error("left a file open: " + target);
   }
 }
 
@@ -168,12 +109,19 @@ constexpr std::array kProcessChecks = {
           "use the logger, the random stream and the clock of the context", &checkGlobals},
     Check{"leaks", 2, kAllRoles, "leaves no thread running and no file open",
           "close files and join threads in the destructor at the latest", &checkLeaks},
-    Check{"memory", 3, kAllRoles, "memory does not grow with each instance",
-          "run the plugin's own tests under -fsanitize=address", &checkMemory},
+    Check{"cost", 1, kAllRoles, "time and memory, for information", "", &checkCost},
 };
 
 }  // namespace
 
 std::span<const Check> processChecks() { return kProcessChecks; }
+
+std::vector<Check> allChecks() {
+  std::vector<Check> all;
+  for (const auto& group : {declarationChecks(), lifeChecks(), inputChecks(), processChecks()}) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
+}
 
 }  // namespace tolman::conformance

@@ -1,23 +1,156 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/kit.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
 
-#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <chrono>
-#include <system_error>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
 
-#include "conformance/child.hpp"
-#include "host/plugin_process.hpp"
+#include "base/named_value.hpp"
+#include "config/json_text.hpp"
+#include "conformance/check.hpp"
+#include "host/channel.hpp"
+#include "host/child_process.hpp"
 #include "host/scratch_folder.hpp"
 
 namespace tolman::conformance {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckTask, check, folder, file, id, program_file, set, level,
+                                   seed, timeout, memory_mib)
+
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Files in the folder of a check: its messages, a line each, and its stdout and stderr.
+constexpr const char* kMessages = "messages";
+constexpr const char* kOutput = "output";
+
+Json jsonOf(const CheckFinding& finding) {
+  return {{"severity", enumName(finding.severity)},
+          {"message", finding.message},
+          {"remedy", finding.remedy}};
+}
+
+Json jsonOf(const Measurement& measured) {
+  return {{"name", measured.name}, {"value", measured.value}, {"unit", measured.unit}};
+}
+
+Json jsonOf(const CheckResult& result);
+
+template <class T>
+Json listOf(const std::vector<T>& items) {
+  Json list = Json::array();
+  for (const T& item : items) list.push_back(jsonOf(item));
+  return list;
+}
+
+Json jsonOf(const CheckResult& result) {
+  return {{"check", result.check},
+          {"level", result.level},
+          {"demand", result.demand},
+          {"result", enumName(result.severity())},
+          {"seconds", result.seconds},
+          {"findings", listOf(result.findings)},
+          {"measurements", listOf(result.measurements)}};
+}
 
 std::string indented(const std::string& text) {
   return "         " + boost::replace_all_copy(text, "\n", "\n         ") + "\n";
+}
+
+/// "; last line of its output: ...", or nothing.
+std::string lastLine(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last.empty() ? "" : "; last line of its output: " + last;
+}
+
+/// One check in its own process, which may crash, hang or exit.
+class CheckProcess {
+ public:
+  CheckProcess(const Check& check, const KitOptions& options)
+      : result_{std::string(check.id), check.level, std::string(check.demand)} {
+    const host::ScratchFolder scratch("tolman-validate");
+    if (scratch.path().empty()) throw std::runtime_error(host::kNoScratchFolder);
+    const CheckTask task{options, result_.check, scratch.path()};
+    std::vector<std::string> command = options.program;
+    command.push_back(config::jsonText(nlohmann::json(task)));
+    const host::Descriptor output(
+        ::open((scratch.path() / kOutput).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    host::ChildProcess child(command, {}, output.get());
+    const host::ProcessEnd end =
+        child.end(std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * options.timeout)));
+    result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    timed_out_ = end.signal == SIGKILL && result_.seconds >= options.timeout;
+    readMessages(scratch.path() / kMessages);
+    addEnd(end, options.timeout, lastLine(scratch.path() / kOutput));
+  }
+
+  bool timedOut() const { return timed_out_; }
+  CheckResult take() { return std::move(result_); }
+
+ private:
+  void readMessages(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);) {
+      const Json message = Json::parse(line, nullptr, false);
+      if (message.contains("call")) call_ = message["call"];
+      if (message.contains("input")) input_ = message["input"];
+      if (message.contains("name")) {
+        result_.measurements.push_back({message["name"], message["value"], message["unit"]});
+      }
+      if (message.contains("severity")) {
+        const auto severity = valueNamed<CheckSeverity>(message["severity"].get<std::string>());
+        result_.findings.push_back({*severity, message["message"], message["remedy"]});
+      }
+      completed_ = completed_ || message.contains("completed");
+    }
+  }
+
+  void addEnd(const host::ProcessEnd& end, double timeout, const std::string& output) {
+    const std::string when = completed_
+                                 ? "when the process ended"
+                                 : "in '" + call_ + "'" + (input_.empty() ? "" : " of ") + input_;
+    const std::string how = end.text() + " " + when + output;
+    if (timed_out_) {
+      error(fmt::format("did not return within {:.0f} s, {}", timeout, when),
+            "look for endless loops and for locks; --timeout gives more time");
+    } else if (end.signal != 0) {
+      error(how, "run it under a debugger: --check " + result_.check + " repeats this check alone");
+    } else if (!completed_) {
+      error(how, "never call exit(): return a Status");
+    } else if (end.exit_code != 0) {
+      error(how, "look at destructors of static objects");
+    }
+  }
+
+  void error(const std::string& message, const std::string& remedy) {
+    result_.findings.push_back({CheckSeverity::Error, message, remedy});
+  }
+
+  CheckResult result_;
+  std::string call_ = "start";
+  std::string input_;
+  bool completed_ = false;
+  bool timed_out_ = false;
+};
+
+bool isWanted(const Check& check, const KitOptions& options, Role role) {
+  if (!options.only.empty()) return std::ranges::count(options.only, check.id) > 0;
+  return check.level <= options.level && (check.roles & bit(role)) != 0;
 }
 
 }  // namespace
@@ -47,28 +180,7 @@ std::string summary(const ConformanceReport& report) {
                      report.count(CheckSeverity::Skip), report.seed);
 }
 
-nlohmann::ordered_json json(const ConformanceReport& report) {
-  nlohmann::ordered_json checks = nlohmann::ordered_json::array();
-  for (const CheckResult& result : report.checks) {
-    nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-    for (const CheckFinding& finding : result.findings) {
-      findings.push_back({{"severity", enumName(finding.severity)},
-                          {"message", finding.message},
-                          {"remedy", finding.remedy}});
-    }
-    nlohmann::ordered_json measurements = nlohmann::ordered_json::array();
-    for (const Measurement& measured : result.measurements) {
-      measurements.push_back(
-          {{"name", measured.name}, {"value", measured.value}, {"unit", measured.unit}});
-    }
-    checks.push_back({{"check", result.check},
-                      {"level", result.level},
-                      {"demand", result.demand},
-                      {"result", enumName(result.severity())},
-                      {"seconds", result.seconds},
-                      {"findings", findings},
-                      {"measurements", measurements}});
-  }
+Json json(const ConformanceReport& report) {
   return {{"id", report.id},
           {"role", report.role},
           {"file", report.file},
@@ -79,107 +191,8 @@ nlohmann::ordered_json json(const ConformanceReport& report) {
           {"warnings", report.count(CheckSeverity::Warning)},
           {"errors", report.count(CheckSeverity::Error)},
           {"skipped", report.count(CheckSeverity::Skip)},
-          {"checks", checks}};
+          {"checks", listOf(report.checks)}};
 }
-
-namespace {
-
-std::string lastLine(const std::string& output) {
-  std::string text = output;
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  const std::string line = text.substr(text.rfind('\n') + 1);
-  return line.empty() ? "" : "; last line of its output: " + line;
-}
-
-/// No finding about the plugin.
-std::system_error noThreads() {
-  return {std::make_error_code(std::errc::resource_unavailable_try_again), "a check"};
-}
-
-/// Runs one check in its own process.
-class CheckProcess {
- public:
-  CheckProcess(const Check& check, const KitOptions& options) : options_(options) {
-    result_.check = check.id;
-    result_.level = check.level;
-    result_.demand = check.demand;
-  }
-
-  CheckResult run() {
-    const host::ScratchFolder scratch("tolman-validate");
-    if (scratch.path().empty()) throw std::runtime_error(host::kNoScratchFolder);
-    const auto begin = std::chrono::steady_clock::now();
-    const auto command = [&](int descriptor) {
-      std::vector<std::string> words = options_.program;
-      words.push_back(
-          encode(CheckTask{result_.check, descriptor, options_.file, options_.id, options_.set,
-                           options_.seed, options_.level, scratch.path(), options_.timeout,
-                           options_.memory_mib, options_.program_file}));
-      return words;
-    };
-    reportEnd(runChild(command, options_.timeout,
-                       [this](const std::string& line) { readMessage(line); }));
-    result_.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return std::move(result_);
-  }
-  bool timedOut() const { return timed_out_; }
-
- private:
-  void readMessage(const std::string& line) {
-    std::optional<CheckMessage> message = decodeMessage(line);
-    if (!message) return;
-    if (auto* started = std::get_if<CallStarted>(&*message)) call_ = std::move(started->call);
-    if (auto* input = std::get_if<CurrentInput>(&*message)) input_ = std::move(input->description);
-    if (auto* finding = std::get_if<CheckFinding>(&*message)) result_.findings.push_back(*finding);
-    if (auto* measured = std::get_if<Measurement>(&*message)) {
-      result_.measurements.push_back(*measured);
-    }
-    completed_ = completed_ || std::holds_alternative<CheckCompleted>(*message);
-  }
-
-  std::string lastCall() const {
-    if (completed_) return "when the process ended";
-    return "in '" + call_ + "'" + (input_.empty() ? "" : " of " + input_);
-  }
-
-  void reportEnd(const ChildEnd& end) {
-    if (end.process.exit_code == host::kNoThreadsExit) throw noThreads();
-    timed_out_ = end.timed_out;
-    const std::string how = end.process.text() + " " + lastCall() + lastLine(end.output);
-    if (end.timed_out) {
-      error("did not return within " + std::to_string(static_cast<int>(options_.timeout)) + " s, " +
-                lastCall(),
-            "look for endless loops and for locks; --timeout gives more time");
-    } else if (end.process.signal != 0) {
-      error(how, "run it under a debugger: --check " + result_.check + " repeats this check alone");
-    } else if (!completed_) {
-      error(how, "never call exit(): return a Status");
-    } else if (end.process.exit_code != 0) {
-      error(how, "look at destructors of static objects");
-    }
-  }
-
-  void error(const std::string& message, const std::string& remedy) {
-    result_.findings.push_back({CheckSeverity::Error, message, remedy});
-  }
-
-  const KitOptions& options_;
-  CheckResult result_;
-  std::string call_ = "start";
-  std::string input_;
-  bool completed_ = false;
-  bool timed_out_ = false;
-};
-
-bool isWanted(const Check& check, const KitOptions& options, Role role) {
-  if (!options.only.empty()) {
-    return std::find(options.only.begin(), options.only.end(), check.id) != options.only.end();
-  }
-  return check.level <= options.level && (check.roles & bit(role)) != 0;
-}
-
-}  // namespace
 
 ConformanceReport validate(const KitOptions& options, Role role, const OnCheckResult& on_result) {
   constexpr int kMaxTimeouts = 3;
@@ -189,7 +202,7 @@ ConformanceReport validate(const KitOptions& options, Role role, const OnCheckRe
   for (const Check& check : allChecks()) {
     if (!isWanted(check, options, role)) continue;
     CheckProcess process(check, options);
-    report.checks.push_back(process.run());
+    report.checks.push_back(process.take());
     const CheckResult& result = report.checks.back();
     on_result(result);
     timeouts += process.timedOut() ? 1 : 0;
@@ -197,6 +210,37 @@ ConformanceReport validate(const KitOptions& options, Role role, const OnCheckRe
     if ((basic && result.severity() == CheckSeverity::Error) || timeouts == kMaxTimeouts) break;
   }
   return report;
+}
+
+void runCheck(const std::string& text) {
+  const CheckTask task = nlohmann::json::parse(text);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // end with the kit
+  host::limitResources(task.memory_mib);
+  const std::vector<Check> checks = allChecks();
+  const auto check = std::ranges::find(checks, task.check, &Check::id);
+  if (check == checks.end()) throw std::runtime_error("no check '" + task.check + "'");
+  std::filesystem::create_directory(task.folder / kPluginFolder);
+  std::ofstream messages(task.folder / kMessages);
+  const auto send = [&](const Json& message) {
+    messages << config::jsonText(message) + "\n" << std::flush;  // the plugin may crash afterwards
+  };
+  CheckContext context(task, check->remedy, send);
+  try {
+    if (check->same_images && context.manifest().hasExtra("live")) {
+      context.skip("live images do not come twice");
+    }
+    check->run(context);
+  } catch (const CheckEnded&) {  // the reason was sent
+  } catch (const std::exception& error) {
+    context.error(std::string("the check failed with an exception: ") + error.what());
+  }
+  send({{"completed", true}});
+}
+
+std::vector<std::string> checkIds() {
+  std::vector<std::string> ids;
+  for (const Check& check : allChecks()) ids.emplace_back(check.id);
+  return ids;
 }
 
 }  // namespace tolman::conformance

@@ -1,15 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A conformance report as text and as JSON.
+// The conformance kit: runs the checks of one plugin, each in its own process, and reports.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "conformance/check.hpp"
+#include "tolman/roles.hpp"
 
 namespace tolman::conformance {
+
+enum class CheckSeverity : std::uint8_t { Ok, Skip, Warning, Error };
+inline constexpr std::array<std::string_view, 4> kCheckSeverityNames = {"ok", "skip", "warning",
+                                                                        "error"};
+constexpr std::span<const std::string_view> enumNames(CheckSeverity) { return kCheckSeverityNames; }
+
+/// One message of a check. Ok: information, not a fault.
+struct CheckFinding {
+  CheckSeverity severity = CheckSeverity::Ok;
+  std::string message;
+  std::string remedy;  ///< what to do; for warnings and errors
+};
+
+/// A number that is reported and has no limit.
+struct Measurement {
+  std::string name;
+  double value = 0;
+  std::string unit;
+};
+
+/// How one check ended.
+struct CheckResult {
+  std::string check;
+  int level = 1;
+  std::string demand;  ///< the requirement that was tested
+  double seconds = 0;
+  std::vector<CheckFinding> findings{};
+  std::vector<Measurement> measurements{};
+
+  /// The worst of the findings.
+  CheckSeverity severity() const {
+    CheckSeverity worst = CheckSeverity::Ok;
+    for (const CheckFinding& finding : findings) worst = std::max(worst, finding.severity);
+    return worst;
+  }
+};
+
+/// The results of one plugin.
+struct ConformanceReport {
+  std::string file;
+  std::string id;
+  std::string role;  ///< empty when the manifest could not be read
+  int level = 3;
+  std::uint64_t seed = 1;
+  std::vector<CheckResult> checks;
+
+  std::int64_t count(CheckSeverity severity) const {
+    return std::ranges::count(checks, severity, &CheckResult::severity);
+  }
+  /// At level 3 a warning counts as an error.
+  bool conforms() const {
+    return count(CheckSeverity::Error) == 0 && (level < 3 || count(CheckSeverity::Warning) == 0);
+  }
+};
 
 /// "ok       reset                after reset() ..." and a line for each finding.
 std::string text(const CheckResult& result);
@@ -18,8 +77,6 @@ std::string text(const CheckResult& result);
 std::string summary(const ConformanceReport& report);
 
 nlohmann::ordered_json json(const ConformanceReport& report);
-
-// The conformance kit: runs the checks of one plugin, each in its own process.
 
 struct KitOptions {
   std::vector<std::string> program;  ///< command that calls runCheck(); the task is appended
@@ -30,8 +87,8 @@ struct KitOptions {
   std::vector<std::string> only;  ///< ids of checks; empty for all
   int level = 3;
   std::uint64_t seed = 1;
-  double timeout = 60;            ///< s for each check
-  std::size_t memory_mib = 4096;  ///< for each check
+  double timeout = 60;              ///< s for each check
+  std::uint64_t memory_mib = 4096;  ///< for each check; 0 for no limit
 };
 
 using OnCheckResult = std::function<void(const CheckResult&)>;
@@ -39,5 +96,11 @@ using OnCheckResult = std::function<void(const CheckResult&)>;
 /// Runs the checks of `role` up to the level and calls `on_result` after each. Stops when the
 /// plugin cannot be loaded, or after three checks that timed out.
 ConformanceReport validate(const KitOptions& options, Role role, const OnCheckResult& on_result);
+
+/// Main function of the process of one check: `task` is what the kit has appended.
+void runCheck(const std::string& task);
+
+/// In the order in which they run.
+std::vector<std::string> checkIds();
 
 }  // namespace tolman::conformance

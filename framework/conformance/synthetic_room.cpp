@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conformance/synthetic_room.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "conformance/input_sequence.hpp"
 
 namespace tolman::conformance {
 namespace {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "base/hash.hpp"
-#include "conformance/check_result.hpp"
 #include "conformance/input_sequence.hpp"
+#include "conformance/kit.hpp"
 #include "host/instance.hpp"
 #include "tolman/fields.hpp"
 #include "tolman/records.hpp"
@@ -47,16 +47,11 @@ using Transcript = std::vector<TranscriptEntry>;
 std::optional<std::string> firstDifference(const Transcript& expected, const Transcript& found,
                                            std::size_t skip = 0);
 
-// Requirements of roles.hpp and records.hpp on answers that the host does not check at every frame.
-
-/// dt is the time since the previous frame, 0 for the first.
+/// Whether dt is the time since the previous frame, 0 for the first.
 Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous);
 
 /// Whether two poses are equal up to rounding.
 bool close(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
-
-// The plugin under test with its parameters, and one instance of it. The instance is called as a
-// host calls it; every answer is checked and hashed into a transcript.
 
 /// Called before each call into the plugin, so that the kit knows in which one the process died.
 using Trace = std::function<void(const std::string& call)>;
@@ -77,30 +72,7 @@ struct PluginUnderTest : Settings {
   Role role() const { return loaded.manifest.role; }
 };
 
-/// Calls one instance in its role, through the host's guarded stage, and checks answers against
-/// those of earlier frames.
-class RoleDriver {
- public:
-  virtual ~RoleDriver() = default;
-  /// One frame. A source ignores the input and gives its next frame.
-  virtual Status process(const FrameInput& input, TranscriptEntry& answer) = 0;
-  virtual Status finish(const InputSequence& sequence, TranscriptEntry& answer) = 0;
-  /// Expects a new run: after configure() or reset().
-  virtual void beginRun() = 0;
-  /// Expects the run of `other` to continue here: its state was loaded into this instance.
-  virtual void continueRun(const RoleDriver& other) = 0;
-  virtual host::Instance& instance() = 0;
-  /// Number of events that need a long drive, such as closed loops; an empty name for roles without
-  /// such events.
-  virtual Measurement reached() const { return {}; }
-  void setRig(const CameraRig& rig) { rig_ = rig; }
-
- protected:
-  CameraRig rig_;  ///< of the source of the run
-};
-
-std::unique_ptr<RoleDriver> makeDriver(Role role, std::unique_ptr<host::Instance> instance,
-                                       const std::string& scratch);
+class RoleDriver;
 
 /// One instance from construction to destruction.
 class TestInstance {
@@ -123,8 +95,11 @@ class TestInstance {
   Status save(std::ostream& stream);
   Status load(std::istream& stream);
   bool keepsState() const;
-  Measurement reached() const { return driver_->reached(); }
-  void continueRun(const TestInstance& other) { driver_->continueRun(*other.driver_); }
+  /// Number of events that need a long drive, such as closed loops; an empty name for roles without
+  /// such events.
+  Measurement reached() const;
+  /// Expects the run of `other` to continue here: its state was loaded into this instance.
+  void continueRun(const TestInstance& other);
   /// Expects the answers of a new instance from now on: after reset() or a load() that failed.
   void beginRun();
 

@@ -3,7 +3,6 @@
 
 #include <dlfcn.h>
 #include <immintrin.h>
-#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -133,11 +132,6 @@ std::map<int, std::string> openFiles() {
     return file.second.starts_with("/proc/") && file.second.ends_with("/fd");
   });
   return files;
-}
-
-std::size_t heapBytes() {
-  const struct mallinfo2 info = ::mallinfo2();
-  return info.uordblks + info.hblkhd;
 }
 
 double residentMib() { return statusMib("VmRSS:"); }

@@ -24,9 +24,6 @@ std::size_t threadCount(std::size_t expected);
 /// The target of each open file descriptor.
 std::map<int, std::string> openFiles();
 
-/// Bytes allocated on the heap.
-std::size_t heapBytes();
-
 /// Resident memory of this process, MiB.
 double residentMib();
 double peakResidentMib();

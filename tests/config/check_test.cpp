@@ -103,20 +103,6 @@ TEST_CASE("Unknown parameter of a plugin without parameters") {
         "conf/a.yaml:1:2: stage.radius: unknown parameter (plugin toy_map has no parameters)\n");
 }
 
-TEST_CASE("A key that was renamed is refused with its new name") {
-  Schema schema = test::toySchema("toy_odometry");
-  schema[0].doc += " Formerly `points` and `max_points`.";
-  for (const char* key : {"points", "max_points"}) {
-    config::Problems problems;
-    const auto map = config::readYaml(std::string("{") + key + ": 3}",
-                                      config::Origin::ofFile("a.yaml"), problems);
-    config::check(*map, schema, {"odometry", "plugin toy_odometry", {}}, {}, problems);
-    CHECK(config::format(problems) == std::string("a.yaml:1:2: odometry.") + key +
-                                          ": was renamed to '" + schema[0].name + "'\n");
-  }
-  CHECK(checkText("{formerly: 3}", "toy_map").problems_text.find("unknown") != std::string::npos);
-}
-
 TEST_CASE("Quoted scalars are texts or choices, not numbers or booleans") {
   CHECK(checkText("{solver: \"5\"}", "toy_odometry").problems_text == "");
   CHECK(checkText("{path: x, order: \"forward\"}", "toy_source").problems_text == "");

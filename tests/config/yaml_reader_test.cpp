@@ -39,12 +39,6 @@ std::string shown(const Node& node) {
   return text + "@" + place(node.origin).substr(1);
 }
 
-std::size_t sizeOf(const Node& node) {
-  std::size_t size = 1;
-  for (const Node& child : node.children) size += sizeOf(child);
-  return size;
-}
-
 }  // namespace
 
 TEST_CASE("Values and keys have their position") {
@@ -67,13 +61,10 @@ TEST_CASE("Quoted scalars are text") {
   CHECK_FALSE(reading.tree);
 }
 
-TEST_CASE("Aliases are copies with the position of the original") {
-  Reading reading = read("a: &x {k: 1}\nb: *x\n");
-  REQUIRE(reading.tree);
-  CHECK(shown(*reading.tree->find("b")) == "{k@1:8: '1'@1:11}@1:4");
-  CHECK(config::text(reading.tree->find("b")->key_origin) == "f:2:1");
-  reading.tree->find("a")->find("k")->text = "2";
-  CHECK(reading.tree->find("b")->find("k")->text == "1");
+TEST_CASE("Aliases are refused") {
+  CHECK(config::format(read("a: &x {k: 1}\nb: *x\n").problems) ==
+        "f:2:4: cannot read this YAML: aliases are not supported; write the value again, or use "
+        "'extends'\n");
 }
 
 TEST_CASE("Duplicate keys are reported at every level; the first is kept") {
@@ -101,27 +92,19 @@ TEST_CASE("An unclosed quote is an error, although yaml-cpp accepts it") {
   }
 }
 
-TEST_CASE("Depth and number of values are limited") {
+TEST_CASE("The depth is limited") {
   const auto nested = [](std::size_t depth) {
     return std::string(depth, '[') + std::string(depth, ']');
   };
   CHECK(read(nested(32)).tree);
-  CHECK(read(nested(33)).problems[0].message == "cannot read this YAML: nested too deeply");
   CHECK_FALSE(read(nested(100000)).tree);
   CHECK_FALSE(read(std::string(100000, '[')).tree);
   CHECK_FALSE(read(std::string(100000, '{')).tree);
-
-  std::string many = "[";
-  for (int i = 0; i < 19998; ++i) many += "1,";
-  CHECK(sizeOf(*read(many + "1]").tree) == 20000);
-  CHECK_FALSE(read(many + "1,1]").tree);
 }
 
 TEST_CASE("Not text") {
   CHECK(config::format(read(std::string("a: 1\nb: \0", 9)).problems) ==
-        "f:2:4: a byte of value 0 is not text; is this a YAML file?\n");
-  CHECK(config::format(read("\x7f\x45LF").problems) ==
-        "f:1:1: a byte of value 127 is not text; is this a YAML file?\n");
+        "f: has a zero byte in line 2, so it is damaged or no text; restore it\n");
   CHECK_FALSE(read(std::string("\xff\xfe\x61\x00", 4)).tree);  // UTF-16
   CHECK(config::format(read(std::string("\xff\xfen\0:\0 \0a\0", 10)).problems) ==
         "f: is UTF-16; save it as UTF-8\n");

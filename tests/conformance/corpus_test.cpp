@@ -140,11 +140,10 @@ TEST_CASE("violations of the order of calls are found") {
   });
 }
 
-TEST_CASE("legal input without an answer and crashes on illegal input are found") {
+TEST_CASE("legal input without an answer is found") {
   expectAllFound({
       {"answer_faults", "fails_on_empty", "frames-empty", "some frames without images: odometry"},
       {"answer_faults", "crashes_on_empty", "frames-empty", "died of SIGSEGV"},
-      {"answer_faults", "needs_right_image", "no-right-image", "died of SIGSEGV"},
       {"answer_faults", "counts_on_frames", "frames-dropped", "threw: a frame is missing"},
   });
 }
@@ -152,8 +151,6 @@ TEST_CASE("legal input without an answer and crashes on illegal input are found"
 TEST_CASE("legal parameters that fail are found and printed") {
   expectAllFound({
       {"answer_faults", "fails_when_fast", "parameters-random", "of seed 1 (--set speed="},
-      {"answer_faults", "takes_any_type", "parameters-types",
-       "accepts parameter 'speed' of a wrong type"},
   });
 }
 
@@ -175,17 +172,12 @@ TEST_CASE("results that are not reproducible are found") {
   });
 }
 
-TEST_CASE("incomplete saved state and undetected damage are found") {
+TEST_CASE("incomplete saved state is found") {
   expectAllFound({
       {"role_faults", "loads_nothing", "state",
        "after save and load: place (loads_nothing), observe, frame 8"},
       {"role_faults", "forgets_late", "state",
        "saved before frame 32, answers after load() differ at frame 32: 'score'"},
-      {"role_faults", "accepts_damage", "state-damaged", "accepts a damaged state: empty"},
-      {"role_faults", "crashes_on_damage", "state-damaged",
-       "died of SIGABRT (Aborted) in 'load' of"},
-      {"role_faults", "keeps_half_loaded", "state-damaged",
-       "recognised template 1, which was never made"},
   });
 }
 
@@ -205,7 +197,6 @@ TEST_CASE("side effects on the process are found") {
        "left a thread running: 1 more with each instance"},
       {"process_faults", "run_on", "leaks", "a thread still runs after finish()"},
       {"process_faults", "leak_file", "leaks", "left a file open: /dev/null"},
-      {"process_faults", "leak_memory", "memory", "KiB on the heap", "warning"},
   });
 }
 

@@ -90,15 +90,6 @@ TEST_CASE("threads and open files are counted") {
   CHECK(openFiles() == files);
 }
 
-TEST_CASE("heapBytes() follows allocations") {
-  const std::size_t before = heapBytes();
-  auto block = std::make_unique<char[]>(10'000'000);
-  CHECK(heapBytes() >= before + 10'000'000);
-  block.reset();
-  CHECK(heapBytes() < before + 1'000'000);
-  CHECK(peakResidentMib() >= residentMib());
-}
-
 TEST_CASE("OutputCapture captures all ways to write, and restores the streams") {
   std::string out;
   std::string err;

@@ -4,7 +4,6 @@
 
 #include "config/values.hpp"
 #include "conformance/check.hpp"
-#include "conformance/checks_parameters.hpp"
 
 using namespace tolman;
 using namespace tolman::conformance;

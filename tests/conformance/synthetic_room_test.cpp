@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "conformance/synthetic_room.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "conformance/input_sequence.hpp"
 
 using namespace tolman;
 using namespace tolman::conformance;

@@ -325,11 +325,11 @@ TEST_CASE("--resume takes the configuration of the run and nothing beside it") {
   const Finished missing = tolman::test::tolman({"run", "--resume", "/missing"});
   CHECK(missing.exit_code == 9);
   CHECK(
-      contains(missing.err, "/missing: holds no config.resolved.yaml, so it is no run directory"));
+      contains(missing.err, "/missing: is no run directory, it holds no config.resolved.yaml"));
   const TemporaryFolder folder;
   const Finished no_run = tolman::test::tolman({"run", "--resume", folder.path().string()});
   CHECK(no_run.exit_code == 9);
-  CHECK(contains(no_run.err, ": holds no config.resolved.yaml, so it is no run directory"));
+  CHECK(contains(no_run.err, ": is no run directory, it holds no config.resolved.yaml"));
 }
 
 #ifdef TOLMAN_DISK_SPACE

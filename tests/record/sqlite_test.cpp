@@ -2,7 +2,6 @@
 // The SQLite wrapper: values are read as written, and failures have messages.
 #include "base/sqlite.hpp"
 
-#include "base/record_columns.hpp"
 #include "record/by_hand.hpp"
 #include "support/data.hpp"
 

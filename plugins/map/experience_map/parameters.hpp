@@ -62,8 +62,7 @@ struct Parameters {
                  "quarter."),
         parameter("min_loop_weight", &P::min_loop_weight)
             .range(0, 1)
-            .doc("Loop links whose weight is below this after the last frame are rejected. "
-                 "Formerly `disbelief`."),
+            .doc("Loop links whose weight is below this after the last frame are rejected."),
         parameter("huber_odometry", &P::huber_odometry)
             .doc("Whether Huber's loss applies to odometry links too, as in the paper."));
   }
