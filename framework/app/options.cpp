@@ -30,7 +30,9 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& 
   for (const std::string& one : names) type += (type.empty() ? "" : "|") + one;
   return addOption(command, name, value, type, text)->check([names](const std::string& given) {
     const bool known = std::ranges::find(names, given) != names.end();
-    return known ? "" : "'" + given + "' is not one of " + config::listed(names);
+    if (known) return std::string();
+    return "'" + given + "' is not one of " + config::listed(names) +
+           config::didYouMean(given, names);
   });
 }
 
