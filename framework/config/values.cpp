@@ -84,104 +84,74 @@ std::string rangeText(const ParameterInfo& info) {
   return writeReal(info.min) + " ... " + writeReal(info.max) + unit;
 }
 
-/// Reads the value of one parameter. Each failure is reported as one problem.
-class ValueReader {
- public:
-  ValueReader(const ParameterInfo& info, std::string path, const BaseFolders& folders,
-              Problems& problems)
-      : info_(info), path_(std::move(path)), folders_(folders), problems_(problems) {}
-
-  std::optional<ParameterValue> read(const Node& node) {
-    if (info_.type == ParameterType::RealList) return readList(node);
-    if (!node.isScalar())
-      return refuse(node, "expects " + expectation(info_) + ", not " + describe(node));
-    switch (info_.type) {
-      case ParameterType::Bool:
-        return readPlain(node, &readBool);
-      case ParameterType::Integer:
-        return inRange(node, readPlain(node, &readInteger));
-      case ParameterType::Real:
-        return inRange(node, readPlain(node, &readReal));
-      case ParameterType::Path:
-        return readPath(node);
-      case ParameterType::Choice:
-        return readChoice(node);
-      default:
-        return node.text;
+/// The value of a parameter that is one scalar, or what is wrong with it.
+Result<ParameterValue> readScalar(const Node& node, const ParameterInfo& info,
+                                  const BaseFolders& folders) {
+  const auto expects = [&](const std::string& found) {
+    return Status::invalidParameter("expects " + expectation(info) + ", not " + found);
+  };
+  const auto plain = [&](const auto& value) -> Result<ParameterValue> {
+    if (!value.isOk()) return value.status();
+    if (node.quoted) return expects("a text; remove the quotes");
+    const auto number = static_cast<double>(value.value());
+    const bool fits = number >= info.min && number <= info.max;
+    if (fits || info.type == ParameterType::Bool) return ParameterValue(value.value());
+    return Status::invalidParameter(node.text + " is out of range: " + rangeText(info));
+  };
+  if (!node.isScalar()) return expects(describe(node));
+  switch (info.type) {
+    case ParameterType::Bool:
+      return plain(readBool(node.text));
+    case ParameterType::Integer:
+      return plain(readInteger(node.text));
+    case ParameterType::Real:
+      return plain(readReal(node.text));
+    case ParameterType::Path: {
+      const Result<std::string> path = resolvePath(node.text, node.origin, folders);
+      if (!path.isOk()) return path.status();
+      const std::string denied = absence(path.value(), "");
+      if (denied.empty()) return ParameterValue(path.value());
+      return Status::invalidParameter(path.value() + ": " + denied);
     }
+    case ParameterType::Choice:
+      if (std::ranges::count(info.choices, node.text) > 0) return ParameterValue(node.text);
+      return expects("'" + node.text + "'" + didYouMean(node.text, info.choices));
+    default:
+      return ParameterValue(node.text);
   }
+}
 
- private:
-  std::nullopt_t refuse(const Node& node, const std::string& message) {
-    problems_.push_back({node.origin, path_, message});
+/// The value of a parameter. Each failure is reported as one problem.
+std::optional<ParameterValue> readValue(const Node& node, const ParameterInfo& info,
+                                        const std::string& path, const BaseFolders& folders,
+                                        Problems& problems) {
+  const auto refuse = [&](const std::string& message) {
+    problems.push_back({node.origin, path, message});
     return std::nullopt;
-  }
-
-  template <class T>
-  std::optional<ParameterValue> readPlain(const Node& node,
-                                          Result<T> (*parse)(const std::string&)) {
-    const Result<T> value = parse(node.text);
-    if (!value.isOk()) return refuse(node, value.status().message());
-    if (node.quoted) {
-      return refuse(node, "expects " + expectation(info_) + ", not a text; remove the quotes");
-    }
+  };
+  if (info.type != ParameterType::RealList) {
+    const Result<ParameterValue> value = readScalar(node, info, folders);
+    if (!value.isOk()) return refuse(value.status().message());
     return value.value();
   }
-
-  std::optional<ParameterValue> inRange(const Node& node, std::optional<ParameterValue> value) {
-    if (!value) return value;
-    const auto* integer = std::get_if<std::int64_t>(&*value);
-    const double number =
-        integer != nullptr ? static_cast<double>(*integer) : std::get<double>(*value);
-    if (number >= info_.min && number <= info_.max) return value;
-    return refuse(node, node.text + " is out of range: " + rangeText(info_));
+  if (!node.isSequence()) {
+    return refuse("expects " + expectation(info) + ", not " + describe(node));
   }
-
-  std::optional<ParameterValue> readPath(const Node& node) {
-    const Result<std::string> path = resolvePath(node.text, node.origin, folders_);
-    if (!path.isOk()) return refuse(node, path.status().message());
-    const std::string denied = absence(path.value(), "");
-    if (!denied.empty()) return refuse(node, path.value() + ": " + denied);
-    return path.value();
+  ParameterInfo number = info;
+  number.type = ParameterType::Real;
+  std::vector<double> list;
+  for (const Node& item : node.children) {
+    const auto value = readValue(item, number, joinPath(path, item.key), folders, problems);
+    if (value) list.push_back(std::get<double>(*value));
   }
-
-  std::optional<ParameterValue> readChoice(const Node& node) {
-    if (std::ranges::find(info_.choices, node.text) != info_.choices.end()) return node.text;
-    return refuse(node, "expects " + expectation(info_) + ", not '" + node.text + "'" +
-                            didYouMean(node.text, info_.choices));
-  }
-
-  std::optional<ParameterValue> readList(const Node& node) {
-    if (!node.isSequence()) {
-      return refuse(node, "expects " + expectation(info_) + ", not " + describe(node));
-    }
-    std::vector<double> list;
-    for (const Node& item : node.children) {
-      ParameterInfo number = info_;
-      number.type = ParameterType::Real;
-      const auto value =
-          ValueReader(number, joinPath(path_, item.key), folders_, problems_).read(item);
-      if (value) list.push_back(std::get<double>(*value));
-    }
-    if (list.size() < node.children.size()) return std::nullopt;
-    return list;
-  }
-
-  const ParameterInfo& info_;
-  std::string path_;
-  const BaseFolders& folders_;
-  Problems& problems_;
-};
-
-std::vector<std::string> namesOf(const Schema& schema) {
-  std::vector<std::string> names;
-  for (const ParameterInfo& info : schema) names.push_back(info.name);
-  return names;
+  if (list.size() < node.children.size()) return std::nullopt;
+  return list;
 }
 
 void refuseUnknown(const Node& map, const Schema& schema, const Subject& subject,
                    Problems& problems) {
-  const std::vector<std::string> own = namesOf(schema);
+  std::vector<std::string> own;
+  for (const ParameterInfo& info : schema) own.push_back(info.name);
   std::vector<std::string> known = own;
   known.insert(known.end(), subject.also_known.begin(), subject.also_known.end());
   const std::string list = subject.owner.empty() ? "keys: " + listed(known)
@@ -312,7 +282,7 @@ ParameterValues check(const Node& map, const Schema& schema, const Subject& subj
     values[info.name] = defaultOf(info, folders);
     const std::string path = joinPath(subject.path, info.name);
     if (const Node* given = map.find(info.name)) {
-      const auto value = ValueReader(info, path, folders, problems).read(*given);
+      const auto value = readValue(*given, info, path, folders, problems);
       if (value) values[info.name] = *value;
     } else if (info.required && map.isMap()) {
       const std::string who = subject.owner.empty() ? "" : " for " + subject.owner;

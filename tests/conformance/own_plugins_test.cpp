@@ -26,7 +26,9 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   const auto path = [](const fs::path& folder) { return "path=" + folder.string(); };
   if (id == "kitti") return {"--set", path(sequence)};
   if (id == "images") return {"--set", path(sequence / "image_0")};
-  if (id == "video") return {"--set", path(sequence / "video.avi")};
+  if (id == "video") {  // how many pictures there are is known at their end
+    return {"--set", path(sequence / "video.avi"), "--set", "last=-1"};
+  }
   if (id == "ros_bag") return {"--set", path(sequence / "bag.mcap")};
   if (id == "euroc") return {"--set", path(sequence.parent_path() / "euroc")};
   if (id == "kitti_raw") return {"--set", path(sequence.parent_path() / "raw/drive")};
