@@ -12,11 +12,12 @@ namespace tolman::engine {
 namespace {
 
 // A graph below kGraphSizePerFrame is published at every change; a larger one at most every n-th
-// frame, with n in proportion to its size, and above kLargeGraph to the square of its size: then
-// all that a long run publishes costs less than driving it. Experiences and links; chosen, not
-// tuned.
+// frame, with n in proportion to its size, and above kLargeGraph to the cube of its size, but at
+// most kRarest: then all that a long run publishes costs less than driving it. Experiences and
+// links; chosen, not tuned.
 constexpr std::size_t kGraphSizePerFrame = 400;
-constexpr std::size_t kLargeGraph = 20'000;
+constexpr std::size_t kLargeGraph = 8'000;
+constexpr std::size_t kRarest = 20'000;
 
 /// A record with default values, for this frame.
 template <Record R>
@@ -233,7 +234,8 @@ void Chain::publishGraph(FrameRecords& records) {
   if (records.graph_changed) countGraph(records.graph);
   const std::size_t size = records.graph.experiences.size() + records.graph.links.size();
   const std::size_t rarer = std::max<std::size_t>(1, size / kLargeGraph);
-  next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(size / kGraphSizePerFrame * rarer);
+  const std::size_t wait = std::min(kRarest, size / kGraphSizePerFrame * rarer * rarer);
+  next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(wait);
 }
 
 void Chain::runCellsAndMap(FrameRecords& records) {
