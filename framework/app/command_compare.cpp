@@ -9,8 +9,6 @@
 #include "app/options.hpp"
 #include "config/text.hpp"
 #include "experiment/comparison_figure.hpp"
-#include "experiment/run_pivot.hpp"
-#include "experiment/tables.hpp"
 #include "record/data_digest.hpp"
 #include "record/output_places.hpp"
 #include "report/raster.hpp"
@@ -31,8 +29,7 @@ struct CompareCommand {
   std::vector<std::string> values;
 };
 
-template <class Table>
-std::string textOf(const Table& table, const std::string& format) {
+std::string textOf(const experiment::Table& table, const std::string& format) {
   if (format == "json") return experiment::jsonOf(table);
   if (format == "latex") return experiment::latexOf(table);
   return format == "csv" ? experiment::csvOf(table) : experiment::markdownOf(table);
@@ -70,7 +67,7 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
     const std::string svg = valueOf(experiment::comparisonFigure(comparison, *kind));
     files.push_back({file, bytesOf(svg, file)});
   }
-  return textOf(comparison, command.format);
+  return textOf(experiment::tableOf(comparison), command.format);
 }
 
 void compare(CompareCommand& command, const Invocation& invocation) {

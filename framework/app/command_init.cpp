@@ -13,7 +13,7 @@
 #include "base/text_file.hpp"
 #include "config/text.hpp"
 #include "record/atomic_file.hpp"
-#include "record/run_files.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::app {
 namespace {
@@ -92,7 +92,7 @@ std::string configurationFor(const std::string& path, const SourceValues& given,
   std::error_code error;
   const fs::path recording = fs::canonical(path, error);
   if (error) fail(ExitCode::Dataset, path + ": " + error.message());
-  if (record::holdsRecordedRun(recording)) {
+  if (record::holdsRun(recording)) {
     fail(ExitCode::Dataset, path +
                                 ": is a run directory, not a recording; `tolman view`, `report`, "
                                 "`export`, `plan`, `compare` and `rerun` take one");

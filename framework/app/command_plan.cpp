@@ -12,7 +12,7 @@
 #include "base/number_text.hpp"
 #include "base/shortest_path.hpp"
 #include "config/values.hpp"
-#include "record/map_file.hpp"
+#include "record/export.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::app {

@@ -11,12 +11,8 @@
 #include "app/progress_line.hpp"
 #include "config/text.hpp"
 #include "config/values.hpp"
-#include "experiment/job_files.hpp"
-#include "experiment/local_jobs.hpp"
-#include "experiment/planner.hpp"
-#include "experiment/point_run.hpp"
 #include "experiment/run_table.hpp"
-#include "experiment/sweep_archive.hpp"
+#include "experiment/sweep_runs.hpp"
 #include "host/child_process.hpp"
 #include "host/scratch_folder.hpp"
 #include "record/atomic_file.hpp"
@@ -290,7 +286,7 @@ void runPoint(const std::string& folder, experiment::PointRunOptions& options,
   if (!outcome.message.empty()) std::cerr << outcome.message << "\n";
   invocation.exit_code = static_cast<ExitCode>(outcome.exit_code);
   if (outcome.state == PointState::Interrupted) invocation.exit_code = ExitCode::Interrupted;
-  // Its files are damaged, exchanged, or of another run, whatever it ended with.
+  // Its outcome.json is damaged, whatever it ended with.
   const bool is_damaged = outcome.state == PointState::Failed && outcome.exit_code == 0;
   if (is_damaged) invocation.exit_code = ExitCode::PluginFailed;
 }
@@ -346,7 +342,8 @@ void collect(const FolderCommand& command, const Invocation& invocation) {
   warnOfUnfinished(command.sweep);
   if (rows.empty()) fail(ExitCode::Dataset, command.sweep + ": no run is done");
   const fs::path file = out.empty() ? fs::path(command.sweep) / "results.csv" : fs::path(out);
-  failUnless(record::writeOutput(file, experiment::csvOf(rows, command.metrics)));
+  failUnless(
+      record::writeOutput(file, experiment::csvOf(experiment::tableOf(rows, command.metrics))));
   printFiles({file}, invocation);
 }
 

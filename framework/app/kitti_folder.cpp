@@ -10,7 +10,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "record/pose_files.hpp"
+#include "record/export.hpp"
 
 namespace tolman::app {
 namespace fs = std::filesystem;

@@ -17,8 +17,8 @@
 #include "engine/run.hpp"
 #include "engine/services.hpp"
 #include "host/plugin_process.hpp"
-#include "record/artefacts.hpp"
 #include "record/atomic_file.hpp"
+#include "record/output_places.hpp"
 
 namespace tolman::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "host/remote_roles.hpp"
-#include "record/artefacts.hpp"
+#include "record/output_places.hpp"
 
 namespace tolman::engine {
 namespace {

@@ -145,7 +145,7 @@ Result<Results> writeResults(const std::filesystem::path& directory,
                                    config::jsonText(evaluation::toJson(data.metrics), 2) + "\n");
   if (status.isOk()) {
     status = record::writeAtomically(directory / "map.svg",
-                                     report::svgText(report::pictureOf(data, data.name)));
+                                     report::mapFigure({report::pictureOf(data, data.name)}));
   }
   if (status.isOk()) status = record::writeResultsDigest(directory);
   if (!status.isOk()) return status;

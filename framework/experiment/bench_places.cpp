@@ -14,36 +14,30 @@
 #include "evaluation/loops.hpp"
 #include "experiment/place_truth.hpp"
 
+namespace tolman::evaluation {
+
+template <class Json>
+void to_json(Json& json, const PrecisionRecall& p) {
+  json = {
+      {"score", p.score}, {"claims", p.claims}, {"precision", p.precision}, {"recall", p.recall}};
+}
+template <class Json>
+void to_json(Json& json, const PlaceClaim& c) {
+  json = {{"query", c.query}, {"place", c.place}, {"score", c.score}, {"right", c.right}};
+}
+
+}  // namespace tolman::evaluation
+
 namespace tolman::experiment {
 
-namespace {
-
-OppositePlaces::Claim judged(const evaluation::Trajectory& truth, const TurnedAnswer& answer,
-                             const evaluation::RevisitRule& rule) {
-  const auto pose = [&](std::int64_t image) -> const Eigen::Isometry3d& {
-    return truth[static_cast<std::size_t>(image)].T_world_camera;
-  };
-  const Eigen::Isometry3d claimed = pose(answer.place) * answer.T_place_query;
-  const double error = (claimed.translation() - pose(answer.query).translation()).norm();
-  const bool is_opposite = evaluation::headingBetween(pose(answer.place), pose(answer.query),
-                                                      rule) == evaluation::Heading::Opposite;
-  const bool is_there = evaluation::isSamePlace(claimed, pose(answer.query), rule);
-  return {answer.query, answer.place, answer.score, error, is_opposite && is_there};
+template <class Json>
+void to_json(Json& json, const OppositePlaces::Claim& c) {
+  json = {{"query", c.query},
+          {"place", c.place},
+          {"score", c.score},
+          {"error_m", c.error_m},
+          {"right", c.right}};
 }
-
-/// The images that return to a place in the opposite direction, but not in the same direction.
-std::set<std::int64_t> findableOf(const evaluation::Trajectory& truth,
-                                  const evaluation::RevisitRule& rule) {
-  std::set<std::int64_t> same;
-  std::set<std::int64_t> opposite;
-  for (const evaluation::Revisit& revisit : evaluation::findRevisits(truth, rule)) {
-    (revisit.heading == evaluation::Heading::Same ? same : opposite).insert(revisit.frame);
-  }
-  for (const std::int64_t image : same) opposite.erase(image);
-  return opposite;
-}
-
-}  // namespace
 
 bool isTurned(const PlaceObservation& seen) {
   return std::abs(wrapAngle(seen.relative_yaw)) > std::numbers::pi / 2;
@@ -53,46 +47,13 @@ Eigen::Isometry3d claimedPose(const PlaceObservation& seen) {
   return seen.has_relative_pose ? seen.T_template_current : fromPlanar({0, 0, seen.relative_yaw});
 }
 
-std::int64_t OppositePlaces::right() const { return std::ranges::count_if(claims, &Claim::right); }
-
-double OppositePlaces::medianError() const {
-  std::vector<double> errors;
-  for (const Claim& claim : claims) {
-    if (claim.right) errors.push_back(claim.error_m);
-  }
-  if (errors.empty()) return 0;
-  std::ranges::sort(errors);
-  return errors[errors.size() / 2];
-}
-
-OppositePlaces judgeOpposite(const evaluation::Trajectory& truth,
-                             const std::vector<TurnedAnswer>& answers, double height_m) {
-  evaluation::RevisitRule rule;
-  rule.height_m = height_m;
-  OppositePlaces places;
-  for (const TurnedAnswer& answer : answers) places.claims.push_back(judged(truth, answer, rule));
-  const std::vector<double> path = evaluation::distances(truth);
-  const auto pathOf = [&](std::int64_t image) { return path[static_cast<std::size_t>(image)]; };
-  for (const std::int64_t image : findableOf(truth, rule)) {
-    ++places.findable;
-    places.found += std::ranges::any_of(places.claims, [&](const OppositePlaces::Claim& claim) {
-      const double since = pathOf(image) - pathOf(claim.query);
-      return claim.right && claim.query <= image && since <= rule.distance_m;
-    });
-  }
-  return places;
-}
-
 namespace {
 
 /// Image `query` was recognised as the place of image `place`, from which the template was made.
 struct Answer {
-  std::int64_t query = -1;
-  std::int64_t place = -1;
-  double score = 0;
+  TurnedAnswer images;
   bool within_pass = true;  ///< both images are of the same pass
   bool turned = false;      ///< says that the place is passed in the opposite direction
-  Eigen::Isometry3d T_place_query = Eigen::Isometry3d::Identity();
 };
 
 /// One pass over the images of a source.
@@ -115,8 +76,9 @@ class Pass {
       if (seen.recognition == Recognition::Novel) made_at[seen.template_id] = {pass, images_};
       if (seen.recognition == Recognition::Familiar) {
         const Template& place = made_at[seen.template_id];
-        answers.push_back({images_, place.image, seen.score, place.pass == pass, isTurned(seen),
-                           claimedPose(seen)});
+        answers.push_back({{images_, place.image, seen.score, claimedPose(seen)},
+                           place.pass == pass,
+                           isTurned(seen)});
       }
       ++images_;
       options_.progress.frame();
@@ -198,8 +160,13 @@ class PlacesMeasurement {
     bench_.images = pass.images();
     if (options_.second.empty()) {
       const PlaceTruth truth = truthOf(pass, first.system());
-      if (options_.pairs.empty()) {
-        judgeTurned(pass, first.system().config.evaluation.loop_height);
+      if (options_.pairs.empty()) {  // with true poses
+        std::vector<TurnedAnswer> turned;
+        for (const Answer& answer : pass.answers) {
+          if (answer.turned) turned.push_back(answer.images);
+        }
+        bench_.opposite =
+            judgeOpposite(pass.truth, turned, first.system().config.evaluation.loop_height);
       }
       judge(pass, truth);
       keepState(first);
@@ -230,18 +197,15 @@ class PlacesMeasurement {
     second.place().resetChecks(static_cast<std::int64_t>(made_at_.size()));
     Pass pass(second, options_, cancellation_);
     pass.show(1, made_at_);
-    tellLengths(bench_.images, pass.images());
+    if (pass.images() != bench_.images && !cancellation_.requested()) {
+      log_.write(LogLevel::Warning, "source",
+                 fmt::format("the second pass has {} images, and the first has {}: are some "
+                             "missing? Image N of both must show the same place",
+                             pass.images(), bench_.images));
+    }
     bench_.images += pass.images();
     judge(pass, truth);
     keepState(second);
-  }
-
-  void tellLengths(std::int64_t first, std::int64_t second) {
-    if (first == second || cancellation_.requested()) return;
-    log_.write(LogLevel::Warning, "source",
-               fmt::format("the second pass has {} images, and the first has {}: are some missing? "
-                           "Image N of both must show the same place",
-                           second, first));
   }
 
   /// Whether a parameter of the source has this value (as JSON), or the source has none of that
@@ -268,36 +232,31 @@ class PlacesMeasurement {
     }
   }
 
-  /// Pairs of another or a longer recording. With source.last and --frames the images may end
-  /// before the pairs.
-  void refuseUnknownImages(const PlaceTruth& truth, const Pass& pass,
-                           const engine::CheckedSystem& system) const {
-    const bool whole = options_.frames < 0 && isSourceAt(system, "last", "-1");
-    if (!whole || cancellation_.requested() || truth.last_query < pass.images()) return;
-    throw engine::Failed(
-        {engine::FailureKind::Dataset,
-         fmt::format("{}: names image {}, and the recording has {} images, from 0; "
-                     "are these the pairs of this recording?",
-                     options_.pairs, truth.last_query, pass.images())});
-  }
-
   PlaceTruth truthOf(const Pass& pass, const engine::CheckedSystem& system) const {
-    if (!options_.pairs.empty()) {
-      PlaceTruth truth = engine::require(truthOfPairs(options_.pairs, options_.near),
-                                         engine::FailureKind::Dataset);
-      refuseUnknownImages(truth, pass, system);
-      if (countFindable(truth, pass) > 0) return truth;
-      throw engine::Failed({engine::FailureKind::Dataset,
-                            fmt::format("{}: has no pair of the {} images that were shown whose "
-                                        "images are more than {} apart (--near)",
-                                        options_.pairs, pass.images(), options_.near)});
+    if (options_.pairs.empty()) {
+      if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
+        return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
+      }
+      throw engine::Failed({engine::FailureKind::Configuration,
+                            "nothing says which images show the same place: the source has no true "
+                            "poses; give --pairs or --second"});
     }
-    if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
-      return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
+    PlaceTruth truth =
+        engine::require(truthOfPairs(options_.pairs, options_.near), engine::FailureKind::Dataset);
+    // With source.last and --frames the images may end before the pairs.
+    const bool whole = options_.frames < 0 && isSourceAt(system, "last", "-1");
+    if (whole && !cancellation_.requested() && truth.last_query >= pass.images()) {
+      throw engine::Failed(
+          {engine::FailureKind::Dataset,
+           fmt::format("{}: names image {}, and the recording has {} images, from 0; are these the "
+                       "pairs of this recording?",
+                       options_.pairs, truth.last_query, pass.images())});
     }
-    throw engine::Failed({engine::FailureKind::Configuration,
-                          "nothing says which images show the same place: the source has no true "
-                          "poses; give --pairs or --second"});
+    if (countFindable(truth, pass) > 0) return truth;
+    throw engine::Failed({engine::FailureKind::Dataset,
+                          fmt::format("{}: has no pair of the {} images that were shown whose "
+                                      "images are more than {} apart (--near)",
+                                      options_.pairs, pass.images(), options_.near)});
   }
 
   static std::int64_t countFindable(const PlaceTruth& truth, const Pass& pass) {
@@ -308,10 +267,9 @@ class PlacesMeasurement {
 
   void judge(const Pass& pass, const PlaceTruth& truth) {
     const bool two_passes = !options_.second.empty();
-    for (const Answer& answer : pass.answers) {
-      const bool counts =
-          two_passes ? !answer.within_pass : answer.query - answer.place > options_.near;
-      if (!counts || (bench_.opposite && answer.turned)) continue;
+    for (const auto& [answer, within_pass, turned] : pass.answers) {
+      const bool counts = two_passes ? !within_pass : answer.query - answer.place > options_.near;
+      if (!counts || (bench_.opposite && turned)) continue;
       bench_.claims.push_back(
           {answer.query, answer.place, answer.score, truth.isSame(answer.query, answer.place)});
     }
@@ -322,15 +280,6 @@ class PlacesMeasurement {
     std::ranges::sort(times);
     bench_.median_ms = times[times.size() / 2];
     bench_.p99_ms = times[times.size() * 99 / 100];
-  }
-
-  /// Judges claims of the opposite direction; needs a drive with true poses.
-  void judgeTurned(const Pass& pass, double loop_height) {
-    std::vector<TurnedAnswer> turned;
-    for (const Answer& a : pass.answers) {
-      if (a.turned) turned.push_back({a.query, a.place, a.score, a.T_place_query});
-    }
-    bench_.opposite = judgeOpposite(pass.truth, turned, loop_height);
   }
 
   void keepState(engine::Assembly& assembly) {
@@ -379,21 +328,6 @@ std::string oppositeText(const OppositePlaces& opposite) {
              opposite.findable, share);
 }
 
-nlohmann::ordered_json oppositeJson(const OppositePlaces& opposite) {
-  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
-  for (const OppositePlaces::Claim& claim : opposite.claims) {
-    claims.push_back({{"query", claim.query},
-                      {"place", claim.place},
-                      {"score", claim.score},
-                      {"error_m", claim.error_m},
-                      {"right", claim.right}});
-  }
-  return {{"findable", opposite.findable},
-          {"found", opposite.found},
-          {"median_error_m", opposite.medianError()},
-          {"claims", claims}};
-}
-
 }  // namespace
 
 std::string placesBenchText(const PlacesBench& bench) {
@@ -421,20 +355,6 @@ std::string placesBenchText(const PlacesBench& bench) {
 }
 
 nlohmann::ordered_json placesBenchJson(const PlacesBench& bench) {
-  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
-  for (const auto& claim : bench.claims) {
-    claims.push_back({{"query", claim.query},
-                      {"place", claim.place},
-                      {"score", claim.score},
-                      {"right", claim.right}});
-  }
-  nlohmann::ordered_json curve = nlohmann::ordered_json::array();
-  for (const auto& point : bench.curve) {
-    curve.push_back({{"score", point.score},
-                     {"claims", point.claims},
-                     {"precision", point.precision},
-                     {"recall", point.recall}});
-  }
   nlohmann::ordered_json json = {{"name", bench.name},
                                  {"plugin", bench.plugin},
                                  {"images", bench.images},
@@ -447,9 +367,14 @@ nlohmann::ordered_json placesBenchJson(const PlacesBench& bench) {
                                  {"p99_ms", bench.p99_ms},
                                  {"state_bytes", bench.state_bytes},
                                  {"interrupted", bench.interrupted},
-                                 {"curve", curve},
-                                 {"claims", claims}};
-  if (bench.opposite) json["opposite"] = oppositeJson(*bench.opposite);
+                                 {"curve", bench.curve},
+                                 {"claims", bench.claims}};
+  if (bench.opposite) {
+    json["opposite"] = {{"findable", bench.opposite->findable},
+                        {"found", bench.opposite->found},
+                        {"median_error_m", bench.opposite->medianError()},
+                        {"claims", bench.opposite->claims}};
+  }
   return json;
 }
 

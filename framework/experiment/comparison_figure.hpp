@@ -1,55 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines with bands in axes, under a legend.
+// Figures of a comparison, as wide as a column of a paper (88.9 mm), in colours that colour-blind
+// readers can distinguish (Okabe and Ito 2008).
 #pragma once
 
 #include <array>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "experiment/comparison.hpp"
-#include "experiment/statistics.hpp"
 #include "report/axes.hpp"
 
 namespace tolman::experiment {
-
-struct LinePoint {
-  double x = 0;
-  double y = 0;
-  Interval band;  ///< low == high: none
-};
-
-struct Line {
-  std::string name;
-  std::vector<LinePoint> points;
-  const char* colour = nullptr;  ///< null: by its place among the lines
-};
-
-/// Size of all figures, px; 360 px are 88.9 mm, the column of a paper.
-inline constexpr double kFigureWidth = 360;
-inline constexpr double kFigureHeight = 270;
-
-/// Colours of the lines and boxes, in their order.
-const char* lineColour(std::size_t i);
-
-struct LineFigure {
-  std::string x_label;
-  std::string y_label;
-  std::vector<Line> lines;
-  bool dots = false;   ///< at each point
-  bool equal = false;  ///< equal scales
-};
-
-/// SVG. A legend where there are several lines.
-std::string lineFigure(const LineFigure& figure);
-
-/// The range of an axis: 5 % wider than the values; from 0 if they are near 0.
-report::Range figureRange(double low, double high);
-
-// Figures of a comparison, as wide as a column of a paper, in colours that colour-blind readers can
-// distinguish (Okabe and Ito 2008).
 
 enum class FigureKind : std::uint8_t {
   Auto,     ///< Line where the first factor is a number, else Box
@@ -67,5 +30,12 @@ constexpr std::span<const std::string_view> enumNames(FigureKind) { return kFigu
 /// InvalidParameter for several true paths, and for Line if the labels are not numbers.
 Result<std::string> comparisonFigure(const Comparison& comparison,
                                      FigureKind kind = FigureKind::Auto);
+
+/// The position error (m) of each level over the driven path (m) in 100 parts: mean of its runs,
+/// and quartiles as a band. InvalidInput for records that cannot be read.
+Result<std::vector<report::Curve>> errorCurves(const Comparison& comparison);
+
+/// The map of the median run of each level, x right and y forward in m, then the true path.
+Result<std::vector<report::Curve>> mapCurves(const Comparison& comparison);
 
 }  // namespace tolman::experiment

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/job_files.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "experiment/sweep_runs.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::experiment {
@@ -20,29 +20,24 @@ std::string shellWord(const std::string& text) {
   return word + "'";
 }
 
-std::string shellWords(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + shellWord(word);
-  return line;
-}
-
 class JobFiles {
  public:
   JobFiles(fs::path sweep, std::string name, const std::vector<PlannedRun>& runs,
            const std::vector<std::string>& command)
-      : sweep_(std::move(sweep)), name_(std::move(name)), command_(shellWords(command)) {
+      : sweep_(std::move(sweep)), name_(shellWord(name)) {
+    for (const std::string& word : command) {
+      command_ += (command_.empty() ? "" : " ") + shellWord(word);
+    }
+    const auto is_to_do = [&](const std::string& folder) {
+      return !folder.empty() && std::ranges::find(runs, folder, &PlannedRun::folder) != runs.end();
+    };
     for (const PlannedRun& run : runs) {
-      const auto is_to_do = [&](const std::string& folder) {
-        return !folder.empty() &&
-               std::ranges::find(runs, folder, &PlannedRun::folder) != runs.end();
-      };
       const bool waits = is_to_do(run.front_end_folder) || is_to_do(run.answers_folder);
-      (waits ? second_ : first_).push_back(run);
+      lists_.at(waits ? 1 : 0).push_back(run);
     }
   }
 
   void slurm() {
-    for (int list : {1, 2}) write(fmt::format("runs-{}.txt", list), folders(listed(list)));
     write("array.sh",
           fmt::format("#!/bin/sh\n# One task of a Slurm array: the run in line SLURM_ARRAY_TASK_ID "
                       "of the list.\n"
@@ -54,24 +49,23 @@ class JobFiles {
         "#   sh submit.sh --time=10 --cpus-per-task=2\n"
         "# `tolman sweep status` reads what became of them.\nset -e\n"
         "here=$(cd \"$(dirname \"$0\")\" && pwd)\nafter=\n";
-    for (int list : {1, 2}) {
-      if (listed(list).empty()) continue;
+    for (const std::size_t i : {0, 1}) {
+      write(fmt::format("runs-{}.txt", i + 1), lines(i, [](const std::string& f) { return f; }));
+      if (lists_.at(i).empty()) continue;
       submit += fmt::format(
           "id=$(sbatch --parsable --job-name={} --array=1-{} --output=/dev/null $after \"$@\" "
           "\"$here/array.sh\" \"$here/runs-{}.txt\")\n"
           "echo \"$id\"\nafter=--dependency=afterany:${{id%%;*}}\n",
-          shellWord(name_), listed(list).size(), list);
+          name_, lists_.at(i).size(), i + 1);
     }
     write("submit.sh", submit);
   }
 
   void parallel() {
-    for (int list : {1, 2}) {
-      std::string text;
-      for (const PlannedRun& run : listed(list)) {
-        text += command_ + " " + shellWord((sweep_ / run.folder).string()) + "\n";
-      }
-      write(fmt::format("commands-{}.txt", list), text);
+    for (const std::size_t i : {0, 1}) {
+      write(fmt::format("commands-{}.txt", i + 1), lines(i, [&](const std::string& folder) {
+              return command_ + " " + shellWord(folder);
+            }));
     }
   }
 
@@ -79,12 +73,13 @@ class JobFiles {
     std::string text =
         "# Runs of the sweep: snakemake --cores 4 --keep-going\n"
         "import os\nHERE = workflow.basedir\nTAKES = {\n";
-    for (const auto* list : {&first_, &second_}) {
-      for (const PlannedRun& run : *list) {
-        const std::string answers = list == &first_                ? ""
-                                    : run.front_end_folder.empty() ? run.answers_folder
-                                                                   : run.front_end_folder;
-        text += fmt::format("    \"{}\": \"{}\",\n", run.folder, answers);
+    for (const std::size_t i : {0, 1}) {
+      for (const PlannedRun& run : lists_.at(i)) {
+        const std::string& front =
+            run.front_end_folder.empty() ? run.answers_folder : run.front_end_folder;
+        text += fmt::format("    \"{}\": \"{}\",\n", run.folder, i == 0 ? "" : front);
+        std::error_code ignored;
+        fs::remove(sweep_ / run.folder / "ended", ignored);  // of an earlier attempt
       }
     }
     // A failed run counts as ended: runs that wait for its answers then run their own front end.
@@ -101,12 +96,6 @@ class JobFiles {
         "    shell: r\"\"\"{} {{params.folder:q}} || test -e "
         "{{params.folder:q}}/outcome.json\"\"\"\n",
         command_);
-    for (const auto* list : {&first_, &second_}) {
-      for (const PlannedRun& run : *list) {
-        std::error_code ignored;
-        fs::remove(sweep_ / run.folder / "ended", ignored);  // of an earlier attempt
-      }
-    }
     write("Snakefile", text);
   }
 
@@ -116,11 +105,11 @@ class JobFiles {
   }
 
  private:
-  const std::vector<PlannedRun>& listed(int list) const { return list == 1 ? first_ : second_; }
-
-  std::string folders(const std::vector<PlannedRun>& runs) const {
+  /// One line for each run of list i.
+  template <class Line>
+  std::string lines(std::size_t i, const Line& line) const {
     std::string text;
-    for (const PlannedRun& run : runs) text += (sweep_ / run.folder).string() + "\n";
+    for (const PlannedRun& run : lists_.at(i)) text += line((sweep_ / run.folder).string()) + "\n";
     return text;
   }
 
@@ -133,8 +122,7 @@ class JobFiles {
   fs::path sweep_;
   std::string name_;
   std::string command_;
-  std::vector<PlannedRun> first_;
-  std::vector<PlannedRun> second_;
+  std::array<std::vector<PlannedRun>, 2> lists_;  ///< those of the second after the first
   std::vector<fs::path> written_;
   Status status_;
 };
@@ -150,13 +138,6 @@ Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::st
   if (kind == "parallel") files.parallel();
   if (kind == "snakemake") files.snakemake();
   return files.result();
-}
-
-std::vector<std::string> jobFileNames(const std::string& kind) {
-  if (kind == "slurm") return {"runs-1.txt", "runs-2.txt", "array.sh", "submit.sh"};
-  if (kind == "parallel") return {"commands-1.txt", "commands-2.txt"};
-  if (kind == "snakemake") return {"Snakefile"};
-  return {};
 }
 
 }  // namespace tolman::experiment

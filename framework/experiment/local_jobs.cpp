@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/local_jobs.hpp"
-
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -12,6 +11,8 @@
 #include <cstring>
 #include <set>
 #include <thread>
+
+#include "experiment/sweep_runs.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -136,15 +137,14 @@ class Jobs {
     PointOutcome outcome = outcomeOf(folder);
     if (outcome.state == PointState::Done || outcome.state == PointState::Failed) return outcome;
     if (stopping()) return {PointState::Interrupted, kInterrupted, "", 0, false};
+    const bool by_signal = WIFSIGNALED(status);
+    const int signal = WTERMSIG(status);
     outcome.state = PointState::Failed;
-    if (WIFSIGNALED(status)) {
-      outcome.exit_code = kSignalOffset + WTERMSIG(status);
-      outcome.message = "the process was ended by signal " + std::to_string(WTERMSIG(status)) +
-                        " (" + ::strsignal(WTERMSIG(status)) + ")";
-    } else {
-      outcome.exit_code = WEXITSTATUS(status);
-      outcome.message = "the process ended with exit code " + std::to_string(WEXITSTATUS(status));
-    }
+    outcome.exit_code = by_signal ? kSignalOffset + signal : WEXITSTATUS(status);
+    outcome.message =
+        by_signal
+            ? fmt::format("the process was ended by signal {} ({})", signal, ::strsignal(signal))
+            : fmt::format("the process ended with exit code {}", outcome.exit_code);
     outcome.message += "; see " + (folder / "output.txt").string();
     const Status written = writeOutcome(folder, outcome);
     if (!written.isOk()) outcome.message += "; " + written.message();

@@ -2,45 +2,44 @@
 #include "experiment/place_truth.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
+#include <set>
 #include <utility>
-#include <vector>
 
 #include "base/bounded_json.hpp"
-#include "base/open_files.hpp"
-#include "base/text_encoding.hpp"
-#include "evaluation/loops.hpp"
+#include "base/text_file.hpp"
+#include "config/values.hpp"
+#include "experiment/tables.hpp"
 #include "report/axes.hpp"
 
 namespace tolman::experiment {
-
 namespace {
 
-using Pair = std::pair<std::int64_t, std::int64_t>;
+using evaluation::Heading;
+using evaluation::Trajectory;
+using Images = std::set<std::int64_t>;
+using Pairs = std::set<std::pair<std::int64_t, std::int64_t>>;
 
-std::optional<Pair> pairOf(const std::string& line) {
-  const char* const end = line.data() + line.size();
-  Pair pair;
-  const auto first = std::from_chars(line.data(), end, pair.first);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != ',') return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, pair.second);
-  const bool complete = second.ptr == end || *second.ptr == '\r';
-  if (second.ec != std::errc() || !complete) return std::nullopt;
-  if (pair.first < 0 || pair.second < 0) return std::nullopt;
-  return pair;
+evaluation::RevisitRule ruleFor(double height_m) {
+  evaluation::RevisitRule rule;
+  rule.height_m = height_m;
+  return rule;
 }
 
-bool isHeader(std::string line) {
-  std::erase_if(line, [](char c) { return c == ' ' || c == '\r' || c == '"'; });
-  return line == "query,match";
+/// The images that return to a place in this direction.
+Images returning(const Trajectory& truth, const evaluation::RevisitRule& rule, Heading heading) {
+  Images images;
+  for (const evaluation::Revisit& revisit : evaluation::findRevisits(truth, rule)) {
+    if (revisit.heading == heading) images.insert(revisit.frame);
+  }
+  return images;
+}
+
+const Eigen::Isometry3d& poseOf(const Trajectory& truth, std::int64_t image) {
+  return truth[static_cast<std::size_t>(image)].T_world_camera;
 }
 
 }  // namespace
@@ -52,30 +51,25 @@ PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t toleran
 }
 
 Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file, std::int64_t near) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
-  if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + ": " +
-                                file_opening::notOpened("cannot be read as a file of true pairs"));
-  }
-  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
-    return Status::invalidInput(file.string() + ": " + problem);
-  }
-  auto pairs = std::make_shared<std::set<Pair>>();
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (number == 1) line = text_encoding::withoutMark(line);
-    if (number == 1 && isHeader(line)) continue;
-    const auto pair = pairOf(line);
-    const std::string where = file.string() + ":" + std::to_string(number) + ": ";
-    if (!pair) {
-      return Status::invalidInput(where + "a pair is two numbers of images, 'query,match'");
+  const Result<std::string> text = text_encoding::readText(file);
+  if (!text.isOk()) return text.status();
+  auto pairs = std::make_shared<Pairs>();
+  std::size_t number = 0;
+  for (const std::vector<std::string>& line : csvRows(text.value())) {
+    if (++number == 1 && line == std::vector<std::string>{"query", "match"}) continue;
+    const auto bad = [&](const std::string& why) {
+      return Status::invalidInput(file.string() + ":" + std::to_string(number) + ": " + why);
+    };
+    std::vector<std::int64_t> images;
+    for (const std::string& field : line) {
+      const auto image = config::readInteger(field);
+      if (image.isOk() && image.value() >= 0) images.push_back(image.value());
     }
-    if (pair->second >= pair->first) {
-      return Status::invalidInput(where + "the match must be an earlier image than the query");
+    if (line.size() != 2 || images.size() != 2) {
+      return bad("a pair is two numbers of images, 'query,match'");
     }
-    pairs->insert(*pair);
+    if (images[1] >= images[0]) return bad("the match must be an earlier image than the query");
+    pairs->emplace(images[0], images[1]);
   }
   if (pairs->empty()) {
     return Status::invalidInput(file.string() + ": lists no pairs; each line is 'query,match'");
@@ -91,26 +85,27 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file, std::int64_t 
                     pairs->rbegin()->first};
 }
 
-PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m, std::int64_t near) {
-  evaluation::RevisitRule rule;
-  rule.height_m = height_m;
-  auto findable = std::make_shared<std::set<std::int64_t>>();
-  for (const evaluation::Revisit& revisit : evaluation::findRevisits(truth, rule)) {
-    if (revisit.heading == evaluation::Heading::Same) findable->insert(revisit.frame);
-  }
-  auto poses = std::make_shared<evaluation::Trajectory>(truth);
-  auto path = std::make_shared<std::vector<double>>(evaluation::distances(truth));
-  const auto isSame = [poses, path, rule](std::int64_t query, std::int64_t place) {
-    const double between =
-        (*path)[static_cast<std::size_t>(query)] - (*path)[static_cast<std::size_t>(place)];
-    if (between <= rule.path_m) return false;
-    const auto& q = (*poses)[static_cast<std::size_t>(query)].T_world_camera;
-    const auto& p = (*poses)[static_cast<std::size_t>(place)].T_world_camera;
-    return evaluation::isSamePlace(q, p, rule) &&
-           evaluation::headingBetween(q, p, rule) == evaluation::Heading::Same;
+PlaceTruth truthOfPoses(const Trajectory& truth, double height_m, std::int64_t near) {
+  struct Drive {
+    evaluation::RevisitRule rule;
+    Trajectory truth;
+    std::vector<double> path;
+    Images findable;
   };
-  const auto isFindable = [findable, isSame, near](std::int64_t query) {
-    if (!findable->contains(query)) return false;
+  const evaluation::RevisitRule rule = ruleFor(height_m);
+  const auto drive = std::make_shared<const Drive>(
+      Drive{rule, truth, evaluation::distances(truth), returning(truth, rule, Heading::Same)});
+  const auto isSame = [drive](std::int64_t query, std::int64_t place) {
+    const double between =
+        drive->path[static_cast<std::size_t>(query)] - drive->path[static_cast<std::size_t>(place)];
+    if (between <= drive->rule.path_m) return false;
+    const Eigen::Isometry3d& q = poseOf(drive->truth, query);
+    const Eigen::Isometry3d& p = poseOf(drive->truth, place);
+    return evaluation::isSamePlace(q, p, drive->rule) &&
+           evaluation::headingBetween(q, p, drive->rule) == Heading::Same;
+  };
+  const auto isFindable = [drive, isSame, near](std::int64_t query) {
+    if (!drive->findable.contains(query)) return false;
     for (std::int64_t place = 0; place < query - near; ++place) {
       if (isSame(query, place)) return true;
     }
@@ -119,72 +114,85 @@ PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m, st
   return {isSame, isFindable};
 }
 
-namespace {
+std::int64_t OppositePlaces::right() const { return std::ranges::count_if(claims, &Claim::right); }
 
-std::optional<double> shareIn(const nlohmann::json& point, const char* key) {
-  if (!point.is_object() || !point.contains(key) || !point[key].is_number()) return std::nullopt;
-  const double share = point[key].get<double>();
-  if (!(share >= 0 && share <= 1)) return std::nullopt;
-  return share;
-}
-
-std::optional<PlaceCurve> curveIn(const nlohmann::json& measured) {
-  const auto has = [&](const char* key) { return measured.contains(key); };
-  if (!measured.is_object() || !has("name") || !has("curve")) return std::nullopt;
-  if (!measured["name"].is_string() || !measured["curve"].is_array()) return std::nullopt;
-  PlaceCurve curve{measured["name"].get<std::string>(), {}};
-  for (const nlohmann::json& point : measured["curve"]) {
-    const auto precision = shareIn(point, "precision");
-    const auto recall = shareIn(point, "recall");
-    if (!precision || !recall) return std::nullopt;
-    curve.points.push_back({0, 0, *precision, *recall});
+double OppositePlaces::medianError() const {
+  std::vector<double> errors;
+  for (const Claim& claim : claims) {
+    if (claim.right) errors.push_back(claim.error_m);
   }
-  return curve;
+  std::ranges::sort(errors);
+  return errors.empty() ? 0 : errors[errors.size() / 2];
 }
 
-}  // namespace
+OppositePlaces judgeOpposite(const Trajectory& truth, const std::vector<TurnedAnswer>& answers,
+                             double height_m) {
+  const evaluation::RevisitRule rule = ruleFor(height_m);
+  OppositePlaces places;
+  for (const TurnedAnswer& answer : answers) {
+    const Eigen::Isometry3d& place = poseOf(truth, answer.place);
+    const Eigen::Isometry3d& query = poseOf(truth, answer.query);
+    const Eigen::Isometry3d claimed = place * answer.T_place_query;
+    const bool is_right = evaluation::headingBetween(place, query, rule) == Heading::Opposite &&
+                          evaluation::isSamePlace(claimed, query, rule);
+    places.claims.push_back({answer.query, answer.place, answer.score,
+                             (claimed.translation() - query.translation()).norm(), is_right});
+  }
+  const std::vector<double> path = evaluation::distances(truth);
+  const auto pathOf = [&](std::int64_t image) { return path[static_cast<std::size_t>(image)]; };
+  const Images same = returning(truth, rule, Heading::Same);
+  for (const std::int64_t image : returning(truth, rule, Heading::Opposite)) {
+    if (same.contains(image)) continue;
+    ++places.findable;
+    places.found += std::ranges::any_of(places.claims, [&](const OppositePlaces::Claim& claim) {
+      const double since = pathOf(image) - pathOf(claim.query);
+      return claim.right && claim.query <= image && since <= rule.distance_m;
+    });
+  }
+  return places;
+}
 
 Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
-  if (!stream.is_open())
-    return Status::invalidInput(file.string() + ": " + file_opening::notOpened("cannot be read"));
-  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
-    return Status::invalidInput(file.string() + ": " + problem);
+  using Json = nlohmann::json;
+  const Result<std::string> text = text_encoding::readText(file);
+  if (!text.isOk()) return text.status();
+  const Status refusal =
+      Status::invalidInput(file.string() + ": is not what `tolman bench places --json` prints");
+  try {
+    const Json measured = bounded_json::parse<Json>(text.value());
+    PlaceCurve curve{measured.at("name").get<std::string>(), {}};
+    for (const Json& point : measured.at("curve").get_ref<const Json::array_t&>()) {
+      const auto precision = point.at("precision").get<double>();
+      const auto recall = point.at("recall").get<double>();
+      if (std::min(precision, recall) < 0 || std::max(precision, recall) > 1) return refusal;
+      curve.points.push_back({0, 0, precision, recall});
+    }
+    return curve;
+  } catch (const Json::exception&) {
+    return refusal;
   }
-  const nlohmann::json measured = bounded_json::parse<nlohmann::json>(stream);
-  const auto curve = measured.is_discarded() ? std::nullopt : curveIn(measured);
-  if (!curve) {
-    return Status::invalidInput(file.string() +
-                                ": is not what `tolman bench places --json` prints");
-  }
-  return *curve;
 }
 
 std::string placeCurvesFigure(const std::vector<PlaceCurve>& curves) {
-  constexpr std::array kColours = {report::kBlue,   report::kVermilion, report::kGreen,
-                                   report::kOrange, report::kPurple,    report::kGrey};
-  report::Svg svg(560, 460);
-  report::Axes axes(svg, {"Places recognised",
-                          "recall",
-                          "precision",
-                          {0, 1},
-                          {0, 1.03},
-                          report::frame(70, 60, 540, 410)});
-  std::vector<report::Axes::LegendEntry> names;
+  std::vector<report::Curve> lines;
   for (const PlaceCurve& curve : curves) {
-    const char* colour = kColours[names.size() % kColours.size()];
-    names.push_back({colour, curve.name});
-    std::vector<double> recall;
-    std::vector<double> precision;
+    report::Curve line{curve.name, report::lineColour(lines.size()), {}, {}, 2};
     for (const auto& point : curve.points) {
-      recall.push_back(point.recall);
-      precision.push_back(point.precision);
+      line.x.push_back(point.recall);
+      line.y.push_back(point.precision);
     }
-    axes.polyline(recall, precision, colour, 2);
+    lines.push_back(std::move(line));
   }
-  axes.legend(names);
+  const double top = 30 + report::Axes::legendHeight(report::legendOf(lines), 470);
+  report::Svg svg(560, 400 + top);
+  report::plot(svg,
+               {"Places recognised",
+                "recall",
+                "precision",
+                {0, 1},
+                {0, 1.03},
+                report::frame(70, top, 540, 350 + top)},
+               lines);
   return svg.take();
 }
 

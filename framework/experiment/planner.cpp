@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <optional>
 #include <sstream>
 #include <tuple>
@@ -41,14 +42,14 @@ std::string folderName(const std::string& name, const std::string& key) {
                        (c == '.' && !folder.empty());
     folder += plain ? c : '_';
   }
-  return folder + folderEnding(key);
+  return folder + "-" + key.substr(0, 10);
 }
 
-void replaceAll(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-    text.replace(at, from.size(), to);
-    at += to.size();
-  }
+/// Sets a value of the configuration, for example "record.replay".
+void setText(Node& tree, const std::string& path, const std::string& text, const Node& origin) {
+  Node value{Node::Kind::Scalar, path.substr(path.rfind('.') + 1), origin.origin, origin.origin};
+  value.text = text;
+  (void)config::setValue(tree, path, value);
 }
 
 class Planner {
@@ -89,7 +90,6 @@ class Planner {
   };
   struct Plugin {
     host::LoadedPlugin loaded;
-    std::string refusal;                         ///< empty: it can be used
     std::map<std::string, std::string> digests;  ///< by file: library, program, its files
   };
 
@@ -113,9 +113,7 @@ class Planner {
     loaded.tree.erase("observers");
     const Node* record = loaded.tree.find("record");
     if (record == nullptr || record->find("report") == nullptr) {
-      Node no{Node::Kind::Scalar, "report", file.origin, file.origin};
-      no.text = "false";
-      (void)config::setValue(loaded.tree, "record.report", no);
+      setText(loaded.tree, "record.report", "false", file);
     }
     return loaded;
   }
@@ -140,9 +138,7 @@ class Planner {
     PriorRun& made = prior_runs_[name];
     config::Loaded base = load(*front.base);
     if (front.is_session) apply(base.tree, sweep.settings);
-    Node yes{Node::Kind::Scalar, "replay", front.base->origin, front.base->origin};
-    yes.text = "true";
-    (void)config::setValue(base.tree, "record.replay", yes);
+    setText(base.tree, "record.replay", "true", *front.base);
     const SweepPoint point{name, {}, front.settings, nullptr};
     if (auto run = resolve(base, point, nullptr)) made.run = std::move(*run);
     made.run.is_front_end = true;
@@ -158,9 +154,7 @@ class Planner {
     if (found != bases_.end()) return found->second;
     config::Loaded loaded = load(*sweep.base);
     if (front != nullptr && point.front_end->is_session) {
-      Node path{Node::Kind::Scalar, "continue", sweep.base->origin, sweep.base->origin};
-      path.text = front->path;
-      (void)config::setValue(loaded.tree, "continue", path);
+      setText(loaded.tree, "continue", front->path, *sweep.base);
     } else if (front != nullptr) {
       const auto environment = [&](const std::string& name) {
         return name == "REPLAY_RUN" ? front->path : options_.environment(name);
@@ -177,32 +171,22 @@ class Planner {
   /// The opened plugin; null if it is refused.
   const Plugin* plugin(const config::StageConfig& stage, const config::SystemConfig& system,
                        config::Problems& problems) {
-    host::Manifest manifest;
-    std::string refusal;
     try {
-      manifest = engine::manifestOf(catalogue_, stage, system);
+      const host::Manifest manifest = engine::manifestOf(catalogue_, stage, system);
+      const std::tuple key(stage.plugin, stage.role, manifest.program.string());
+      if (const auto found = plugins_.find(key); found != plugins_.end()) return &found->second;
+      return &plugins_.emplace(key, openPlugin(manifest, stage.role, system)).first->second;
     } catch (const engine::Failed& refused) {
-      refusal = refused.what();
+      problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", refused.what(),
+                          config::Problem::Kind::Plugin});
+      return nullptr;
     }
-    const auto [found, is_new] =
-        plugins_.try_emplace({stage.plugin, stage.role, manifest.program.string()});
-    Plugin& plugin = found->second;
-    if (is_new)
-      plugin = refusal.empty() ? openPlugin(manifest, stage.role, system) : Plugin{{}, refusal, {}};
-    if (plugin.refusal.empty()) return &plugin;
-    problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", plugin.refusal,
-                        config::Problem::Kind::Plugin});
-    return nullptr;
   }
 
+  /// Throws engine::Failed.
   static Plugin openPlugin(const host::Manifest& manifest, Role role,
                            const config::SystemConfig& system) {
-    Plugin plugin;
-    try {
-      plugin.loaded = engine::describeFrom(manifest, role, system);
-    } catch (const engine::Failed& refused) {
-      plugin.refusal = refused.what();
-    }
+    Plugin plugin{engine::describeFrom(manifest, role, system), {}};
     std::vector<std::string> files = plugin.loaded.manifest.program_files;
     files.push_back(manifest.file.string());
     if (!manifest.program.empty()) files.push_back(manifest.program.string());
@@ -280,7 +264,9 @@ class Planner {
     for (const char* irrelevant : {"replay", "report", "state_every"})
       section("record").erase(irrelevant);
     std::string decisive_yaml = config::resolvedYaml(system, values);
-    if (front != nullptr) replaceAll(decisive_yaml, front->path, "front end " + front->run.key);
+    if (front != nullptr) {
+      boost::replace_all(decisive_yaml, front->path, "front end " + front->run.key);
+    }
     std::string inputs = "host " + run.inputs.host + "\n";
     for (const record::DataDigest& data : run.inputs.data) {
       inputs += "data " + data.path + " " + (data.sha256.empty() ? data.stamp : data.sha256) + "\n";
@@ -321,8 +307,6 @@ class Planner {
 };
 
 }  // namespace
-
-std::string folderEnding(const std::string& key) { return "-" + key.substr(0, 10); }
 
 Plan makePlan(const std::filesystem::path& file, const PlanOptions& options) {
   Plan plan;

@@ -12,7 +12,7 @@
 
 #include "config/loader.hpp"
 #include "engine/checked_system.hpp"
-#include "experiment/points.hpp"
+#include "experiment/sweep_file.hpp"
 #include "record/data_digest.hpp"
 
 namespace tolman::experiment {
@@ -40,9 +40,6 @@ struct PlannedRun {
   bool keeps_answers = false;  ///< for other runs, which replay them
   bool is_front_end = false;
 };
-
-/// What the name of a run's folder ends with: the begin of its key.
-std::string folderEnding(const std::string& key);
 
 struct PlanOptions {
   std::vector<std::string> plugin_paths;

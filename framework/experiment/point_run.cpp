@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/point_run.hpp"
-
 #include <chrono>
 #include <cstdlib>
 #include <thread>
 #include <variant>
 
 #include "config/values.hpp"
+#include "experiment/sweep_runs.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/run_reader.hpp"
@@ -27,7 +26,7 @@ constexpr const char* kPlanAgain =
 
 void requireUnchanged(const fs::path& folder, const PlannedRun& point) {
   const auto config = record::fileDigest(folder / "config.yaml");
-  if (!config.isOk() || (!point.config_sha256.empty() && config.value() != point.config_sha256)) {
+  if (!config.isOk() || config.value() != point.config_sha256) {
     refuse(
         FailureKind::Configuration,
         (folder / "config.yaml").string() +

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/points.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "config/text.hpp"
+#include "experiment/sweep_file.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -30,39 +29,20 @@ std::vector<SweepPoint> times(const std::vector<SweepPoint>& points, const Axis&
   return product;
 }
 
-/// Whether two values set a common key.
-bool overlap(const config::Node& a, const config::Node& b) {
-  if (!a.isMap() || !b.isMap()) return true;
-  return std::ranges::any_of(a.children, [&](const config::Node& child) {
-    const config::Node* same = b.find(child.key);
-    return same != nullptr && overlap(child, *same);
-  });
+/// The keys of single values that a setting sets.
+void addKeys(const std::string& key, const config::Node& value,
+             std::map<std::string, config::Origin>& keys) {
+  if (!value.isMap() || value.children.empty()) keys.emplace(key, value.origin);
+  if (!value.isMap()) return;
+  for (const config::Node& child : value.children) addKeys(key + "." + child.key, child, keys);
 }
 
-bool overlap(const Setting& a, const Setting& b) {
-  if (a.key.size() > b.key.size()) return overlap(b, a);
-  if (a.key == b.key) return overlap(*a.value, *b.value);
-  if (!b.key.starts_with(a.key + ".")) return false;
-  const config::Node* node = a.value.get();  // at the key of b
-  for (std::size_t begin = a.key.size() + 1; begin <= b.key.size() && node != nullptr;) {
-    const std::size_t end = std::min(b.key.find('.', begin), b.key.size());
-    node = node->find(b.key.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return node != nullptr && overlap(*node, *b.value);
-}
-
-/// The settings of an axis. Of plain values for one key only the first is kept; all overlap alike.
-std::vector<Setting> settingsOf(const Axis& axis) {
-  std::vector<Setting> all;
-  std::set<std::string> seen;
+std::map<std::string, config::Origin> keysOf(const Axis& axis) {
+  std::map<std::string, config::Origin> keys;
   for (const Choice& choice : axis) {
-    for (const Setting& setting : choice.settings) {
-      const bool is_new = seen.insert(setting.key).second;
-      if (is_new || setting.value->isMap()) all.push_back(setting);
-    }
+    for (const Setting& setting : choice.settings) addKeys(setting.key, *setting.value, keys);
   }
-  return all;
+  return keys;
 }
 
 std::set<std::string> factorsOf(const Axis& axis) {
@@ -84,14 +64,17 @@ void refuseOverlap(const Axis& a, const Axis& b, const std::string& file,
                         "varies in two ways, and a run has one value of it; remove one of them"});
     return;
   }
-  for (const Setting& other : settingsOf(b)) {
-    for (const Setting& setting : settingsOf(a)) {
-      if (!overlap(setting, other)) continue;
-      problems.push_back({other.value->origin, other.key,
-                          "is set at " + config::text(setting.value->origin) +
-                              " for the same runs; remove one of the two"});
-      return;
-    }
+  const auto others = keysOf(a);
+  for (const auto& [key, origin] : keysOf(b)) {
+    const auto same = std::ranges::find_if(others, [&](const auto& other) {
+      return key == other.first || key.starts_with(other.first + ".") ||
+             other.first.starts_with(key + ".");
+    });
+    if (same == others.end()) continue;
+    problems.push_back(
+        {origin, key,
+         "is set at " + config::text(same->second) + " for the same runs; remove one of the two"});
+    return;
   }
 }
 
@@ -108,13 +91,6 @@ void refuseOverlaps(const SweepFile& sweep, config::Problems& problems) {
   }
 }
 
-bool meets(const SweepPoint& point, const Exclusion::FactorLabels& condition) {
-  return std::ranges::any_of(point.factors, [&](const Factor& factor) {
-    return factor.name == condition.factor &&
-           std::ranges::find(condition.labels, factor.label) != condition.labels.end();
-  });
-}
-
 void removeExcluded(std::vector<SweepPoint>& points, const SweepFile& sweep,
                     config::Problems& problems) {
   std::vector<std::string> names;
@@ -124,24 +100,24 @@ void removeExcluded(std::vector<SweepPoint>& points, const SweepFile& sweep,
     }
   }
   for (const Exclusion& exclusion : sweep.exclude) {
-    for (const auto& condition : exclusion.conditions) {
-      if (std::ranges::find(names, condition.factor) != names.end()) continue;
-      problems.push_back({exclusion.origin, "exclude",
-                          "no factor '" + condition.factor + "'" +
-                              config::didYouMean(condition.factor, names) +
-                              "; factors: " + config::listed(names)});
+    const auto refuse = [&](const std::string& why) {
+      problems.push_back({exclusion.origin, "exclude", why});
+    };
+    for (const auto& [factor, labels] : exclusion.conditions) {
+      if (std::ranges::find(names, factor) != names.end()) continue;
+      refuse("no factor '" + factor + "'" + config::didYouMean(factor, names) +
+             "; factors: " + config::listed(names));
     }
     const std::size_t removed = std::erase_if(points, [&](const SweepPoint& point) {
-      return std::ranges::all_of(exclusion.conditions,
-                                 [&](const auto& condition) { return meets(point, condition); });
+      return std::ranges::all_of(exclusion.conditions, [&](const auto& condition) {
+        return std::ranges::any_of(point.factors, [&](const Factor& factor) {
+          return factor.name == condition.first &&
+                 std::ranges::find(condition.second, factor.label) != condition.second.end();
+        });
+      });
     });
-    if (removed == 0)
-      problems.push_back({exclusion.origin, "exclude",
-                          "leaves out no point; remove the entry, or correct its labels"});
-    if (points.empty()) {
-      problems.push_back({exclusion.origin, "exclude", "leaves out all points that were left"});
-      return;
-    }
+    if (removed == 0) refuse("leaves out no point; remove the entry, or correct its labels");
+    if (points.empty()) return refuse("leaves out all points that were left");
   }
 }
 

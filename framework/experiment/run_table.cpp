@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -16,9 +15,9 @@
 #include "config/tree.hpp"
 #include "config/values.hpp"
 #include "engine/results.hpp"
-#include "experiment/point_folder.hpp"
-#include "experiment/tables.hpp"
+#include "experiment/sweep_folder.hpp"
 #include "record/digest.hpp"
+#include "record/output_places.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::experiment {
@@ -43,46 +42,41 @@ bool isNeeded(const std::string& metric) {
          metric.find(".kitti.lengths_m.") != std::string::npos;
 }
 
-Result<RunRow> readRun(const fs::path& directory) {
-  RunRow row;
-  row.directory = directory;
-  std::ifstream stream(directory / "metrics.json", std::ios::binary);
-  const Json metrics = bounded_json::parse<Json>(stream);
+Status noMetrics(const fs::path& directory) {
   std::error_code ignored;
-  if (!metrics.is_object() && !fs::exists(directory, ignored)) {
+  if (!fs::exists(directory, ignored)) {
     return Status::invalidInput(directory.string() + ": " +
                                 config::absence(directory, "does not exist; check the path"));
   }
-  if (!metrics.is_object() && fs::exists(directory / "points.txt", ignored)) {
-    return Status::invalidInput(directory.string() +
-                                ": is a sweep of which no run has ended, so there is nothing to "
-                                "compare; run it again");
-  }
-  if (!metrics.is_object()) {
-    return Status::invalidInput(
-        (directory / "metrics.json").string() + ": " +
-        config::absence(directory / "metrics.json",
-                        "is missing or damaged; is this a run that has ended, or a sweep?"));
-  }
+  const bool is_sweep = fs::exists(directory / "points.txt", ignored);
+  const fs::path file = is_sweep ? directory : directory / "metrics.json";
+  return Status::invalidInput(
+      file.string() + ": " +
+      (is_sweep ? "is a sweep of which no run has ended, so there is nothing to compare; run it "
+                  "again"
+                : config::absence(
+                      file, "is missing or damaged; is this a run that has ended, or a sweep?")));
+}
+
+Result<RunRow> readRun(const fs::path& directory) {
+  std::ifstream stream(directory / "metrics.json", std::ios::binary);
+  const Json metrics = bounded_json::parse<Json>(stream);
+  if (!metrics.is_object()) return noMetrics(directory);
+  RunRow row;
+  row.directory = directory;
   flatten(metrics, "", row.metrics);
   const Json run = record::RunDirectory::readRunFile(directory);
-  std::error_code error;
-  if (!run.is_object() && fs::exists(directory / "run.json", error)) {
+  std::error_code ignored;
+  if (!run.is_object() && fs::exists(directory / "run.json", ignored)) {
     return record::RunDirectory::checkRunFile(directory);
   }
   if (run.is_object()) {
     flatten(run.value("finish_s", Json()), "finish_s", row.metrics);
     flatten(run.value("exit_code", Json()), "exit_code", row.metrics);
-    if (record::changedResults(directory).contains("config.resolved.yaml")) {
-      return Status::invalidInput(
-          (directory / "config.resolved.yaml").string() +
-          ": has changed since the run was recorded; put it back, or run it "
-          "again");
-    }
   }
   row.alignment = metrics.value("alignment", "");
-  const auto truth = metrics.find("truth_sha256");
-  if (truth != metrics.end() && truth->is_string()) row.truth = truth->get<std::string>();
+  const Json truth = metrics.value("truth_sha256", Json());
+  if (truth.is_string()) row.truth = truth.get<std::string>();
   const auto digest = record::fileDigest(directory / "results.sha256");
   if (digest.isOk()) row.results = digest.value();
   return row;
@@ -109,69 +103,44 @@ void addConfigFactors(std::vector<RunRow*>& rows) {
   }
 }
 
-/// The fields of one line of a table of csvOf().
-using CsvLine = std::vector<std::string>;
-
-/// What is wrong with the first line of a table; empty if nothing is. `factors`: index of the
-/// column "alignment", which follows the factors.
-std::string headerFault(const CsvLine& names, std::size_t factors) {
-  if (factors < 1 || factors + 3 > names.size()) {
-    return "its first line has no alignment, truth and results after the factors";
-  }
-  for (auto name = names.begin(); name != names.end(); ++name) {
-    if (std::find(names.begin(), name, *name) == name) continue;
-    return "line 1 has two columns '" + *name + "'; rename or remove one of them";
-  }
-  return "";
-}
-
-/// Fills `row` from line number `line`. Returns what is wrong with it; empty if nothing is.
-std::string readCsvLine(const CsvLine& names, const CsvLine& fields, std::size_t factors,
-                        std::size_t line, RunRow& row) {
-  if (fields.size() != names.size()) {
-    return fmt::format("line {} has {} fields, the first {}", line, fields.size(), names.size());
-  }
-  row.name = fields[0];
-  for (std::size_t k = 1; k < factors; ++k) row.factors.push_back({names[k], fields[k]});
-  row.alignment = fields[factors];
-  row.truth = fields[factors + 1];
-  row.results = fields[factors + 2];
-  for (std::size_t k = factors + 3; k < fields.size(); ++k) {
-    if (fields[k].empty()) continue;
-    const auto number = config::readReal(fields[k]);
-    if (!number.isOk()) {
-      return fmt::format("line {}, {}: '{}' is no number", line, names[k], fields[k]);
-    }
-    row.metrics[names[k]] = number.value();
-  }
-  return "";
-}
-
-/// Reads a table of csvOf(), with the factors between the columns name and alignment.
+/// Reads a table of tableOf(), with the factors between the columns name and alignment.
 Result<std::vector<RunRow>> readCsv(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.is_open())
-    return Status::invalidInput(file.string() + ": not a readable file; check the path");
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (const std::string problem = text_encoding::encodingProblem(text); !problem.empty()) {
-    return Status::invalidInput(file.string() + ": " + problem);
-  }
-  const std::vector<CsvLine> lines = csvRows(std::string(text_encoding::withoutMark(text)));
+  const Result<std::string> text = text_encoding::readText(file);
+  if (!text.isOk()) return text.status();
+  const auto lines = csvRows(text.value());
   const auto bad = [&](const std::string& why) {
     return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`: " + why);
   };
   if (lines.empty()) return bad("it is empty");
-  const CsvLine& names = lines.front();
+  const std::vector<std::string>& names = lines.front();
   const auto factors =
       static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
-  if (const std::string fault = headerFault(names, factors); !fault.empty()) return bad(fault);
+  if (factors < 1 || factors + 3 > names.size()) {
+    return bad("its first line has no alignment, truth and results after the factors");
+  }
   if (lines.size() == 1) return bad("it has no line after the first");
   std::vector<RunRow> rows;
   for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<std::string>& fields = lines[i];
+    if (fields.size() != names.size()) {
+      return bad(
+          fmt::format("line {} has {} fields, the first {}", i + 1, fields.size(), names.size()));
+    }
     RunRow& row = rows.emplace_back();
     row.directory = file;
-    const std::string fault = readCsvLine(names, lines[i], factors, i + 1, row);
-    if (!fault.empty()) return bad(fault);
+    row.name = fields[0];
+    for (std::size_t k = 1; k < factors; ++k) row.factors.push_back({names[k], fields[k]});
+    row.alignment = fields[factors];
+    row.truth = fields[factors + 1];
+    row.results = fields[factors + 2];
+    for (std::size_t k = factors + 3; k < fields.size(); ++k) {
+      if (fields[k].empty()) continue;
+      const auto number = config::readReal(fields[k]);
+      if (!number.isOk()) {
+        return bad(fmt::format("line {}, {}: '{}' is no number", i + 1, names[k], fields[k]));
+      }
+      row.metrics[names[k]] = number.value();
+    }
   }
   return rows;
 }
@@ -256,7 +225,9 @@ bool hasLabels(const RunRow& row, const std::vector<std::pair<std::string, std::
 Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
   std::vector<RunRow> rows;
   std::vector<std::size_t> alone;
+  std::set<fs::path> read;
   for (const fs::path& folder : folders) {
+    if (!read.insert(record::truePath(folder)).second) continue;
     auto own = readTable(folder);
     if (!own.isOk()) return own.status();
     if (own.value().empty() && frozenRuns(folder).empty()) {
@@ -282,7 +253,7 @@ Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
   return rows;
 }
 
-std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted) {
+Table tableOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted) {
   std::vector<std::string> factors;
   std::set<std::string> metrics;
   for (const RunRow& row : rows) {
@@ -296,22 +267,23 @@ std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string
       if (is_wanted) metrics.insert(name);
     }
   }
-  std::string text = "name";
-  for (const std::string& factor : factors) text += "," + csvField(factor);
-  text += ",alignment,truth_sha256,results_sha256";
-  for (const std::string& metric : metrics) text += "," + csvField(metric);
-  text += "\n";
+  Table table;
+  table.keys = {"name"};
+  table.keys.insert(table.keys.end(), factors.begin(), factors.end());
+  table.keys.insert(table.keys.end(), {"alignment", "truth_sha256", "results_sha256"});
+  table.keys.insert(table.keys.end(), metrics.begin(), metrics.end());
   for (const RunRow& row : rows) {
-    text += csvField(row.name);
-    for (const std::string& factor : factors) text += "," + csvField(row.label(factor));
-    text += "," + row.alignment + "," + row.truth + "," + row.results;
+    std::vector<Json>& values = table.values.emplace_back(1, row.name);
+    for (const std::string& factor : factors) values.emplace_back(row.label(factor));
+    for (const std::string& text : {row.alignment, row.truth, row.results}) {
+      values.emplace_back(text);
+    }
     for (const std::string& metric : metrics) {
       const auto value = row.metrics.find(metric);
-      text += value == row.metrics.end() ? "," : "," + config::writeReal(value->second);
+      values.push_back(value == row.metrics.end() ? Json() : Json(value->second));
     }
-    text += "\n";
   }
-  return text;
+  return table;
 }
 
 }  // namespace tolman::experiment

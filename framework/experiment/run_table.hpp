@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiment/sweep_file.hpp"
+#include "experiment/tables.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::experiment {
@@ -32,8 +33,8 @@ struct RunRow {
 };
 
 /// Reads runs: of a sweep all runs of the last plan that are done, without front ends; of a run
-/// directory the run; of a .csv file the runs that csvOf() wrote. The factors of runs outside a
-/// sweep are the keys in which their configurations differ.
+/// directory the run; of a .csv file the runs of tableOf(). A folder that is given twice counts
+/// once. The factors of runs outside a sweep are the keys in which their configurations differ.
 Result<std::vector<RunRow>> readRunRows(const std::vector<std::filesystem::path>& folders);
 
 /// Whether a metric is a time, which differs from run to run of the same configuration.
@@ -42,9 +43,9 @@ bool isTime(const std::string& metric);
 /// How many runs of a sweep failed or are not done; empty if all are done or it is not a sweep.
 std::string unfinishedText(const std::filesystem::path& sweep);
 
-/// One line per run: name, factors, alignment, digests of truth and results, and the metrics
-/// `wanted`; by default all except times.
-std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted = {});
+/// For programs, one row per run: name, factors, alignment, digests of truth and results, and the
+/// metrics `wanted`; by default all except times.
+Table tableOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted = {});
 
 /// Whether a run has, for each factor in `only`, one of its labels there.
 bool hasLabels(const RunRow& row, const std::vector<std::pair<std::string, std::string>>& only);

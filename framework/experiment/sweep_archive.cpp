@@ -1,45 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/sweep_archive.hpp"
-
 #include <fmt/format.h>
 
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 
-#include "base/bounded_json.hpp"
-#include "config/json_text.hpp"
-#include "experiment/point_folder.hpp"
 #include "experiment/run_table.hpp"
+#include "experiment/sweep_folder.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::experiment {
-
-using nlohmann::ordered_json;
-
-std::map<std::string, record::DataDigest> readKnownData(const std::filesystem::path& sweep) {
-  std::map<std::string, record::DataDigest> known;
-  std::ifstream stream(sweep / "data.json", std::ios::binary);
-  const auto json = bounded_json::parse<ordered_json>(stream);
-  if (!json.is_object()) return known;
-  for (const auto& [path, data] : json.items()) {
-    if (!data.is_object()) continue;
-    known[path] = {path, data.value("files", std::int64_t{0}), data.value("bytes", std::int64_t{0}),
-                   data.value("stamp", ""), data.value("sha256", "")};
-  }
-  return known;
-}
-
-Status writeKnownData(const std::filesystem::path& sweep,
-                      const std::map<std::string, record::DataDigest>& data) {
-  auto json = ordered_json::object();
-  for (const auto& [path, one] : data) {
-    json[path] = {
-        {"files", one.files}, {"bytes", one.bytes}, {"stamp", one.stamp}, {"sha256", one.sha256}};
-  }
-  return record::writeAtomically(sweep / "data.json", config::jsonText(json, 1) + "\n");
-}
 
 namespace {
 
@@ -75,7 +45,7 @@ class Archive {
     fs::create_directories(folder_, error);
     if (error) return Status::failed(folder_.string() + ": " + error.message());
     if (!fs::is_empty(folder_, error)) return Status::failed(folder_.string() + ": is not empty");
-    add("results.csv", csvOf(rows.value()));
+    add("results.csv", csvOf(tableOf(rows.value())));
     for (const PlannedRun& run : frozenRuns(sweep_).planned) {
       if (outcomeOf(sweep_ / run.folder).state == PointState::Done) addRun(run);
     }

@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of the unit cube for random and Sobol' sweeps.
+// The file of a sweep, a base configuration and what varies (docs/experiments.md), and its points:
+// one run each.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/loader.hpp"
 #include "config/tree.hpp"
 
 namespace tolman::experiment {
-
-inline constexpr std::size_t kSobolDimensions = 10;
-
-/// The first points of Sobol's sequence in the order of the Gray code (Antonov and Saleev 1979),
-/// with the direction numbers of Joe and Kuo (2008). At most kSobolDimensions dimensions.
-std::vector<std::vector<double>> sobolPoints(std::size_t count, std::size_t dimensions);
-
-/// Independent uniform points.
-std::vector<std::vector<double>> randomPoints(std::size_t count, std::size_t dimensions,
-                                              std::uint64_t seed);
-
-// The file of a sweep: a base configuration and what varies. docs/experiments.md describes it.
 
 /// A value for a key of the configuration; a map for a whole stage.
 struct Setting {
@@ -58,11 +48,8 @@ using Axis = std::vector<Choice>;
 
 /// Points with all of these labels are left out.
 struct Exclusion {
-  struct FactorLabels {
-    std::string factor;
-    std::vector<std::string> labels;  ///< any of them
-  };
-  std::vector<FactorLabels> conditions;
+  /// Factors, each with any of these labels.
+  std::vector<std::pair<std::string, std::vector<std::string>>> conditions;
   config::Origin origin;
 };
 
@@ -81,5 +68,27 @@ struct SweepFile {
 /// Adds all problems of the file to `problems`; if there are new ones, do not use the result.
 SweepFile readSweep(const std::filesystem::path& file, const config::Environment& environment,
                     config::Problems& problems);
+
+struct SweepPoint {
+  std::string name;  ///< "period=75,sequence=00,seed=1"; unique
+  std::vector<Factor> factors{};
+  std::vector<Setting> settings{};
+  std::shared_ptr<const FrontEnd> front_end{};
+};
+
+/// The product of all axes without the excluded points, then the included points, each with all
+/// sequences and seeds. Problems are: exclusions that name no factor or exclude no point, and a
+/// factor or a key that two axes vary.
+std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& problems);
+
+inline constexpr std::size_t kSobolDimensions = 10;
+
+/// The first points of Sobol's sequence in the order of the Gray code (Antonov and Saleev 1979),
+/// with the direction numbers of Joe and Kuo (2008).
+std::vector<std::vector<double>> sobolPoints(std::size_t count, std::size_t dimensions);
+
+/// Independent uniform points.
+std::vector<std::vector<double>> randomPoints(std::size_t count, std::size_t dimensions,
+                                              std::uint64_t seed);
 
 }  // namespace tolman::experiment

@@ -80,14 +80,6 @@ std::vector<DataFile> dataFiles(const fs::path& root) {
   return files;
 }
 
-fs::path firstChanged(const std::vector<DataFile>& files) {
-  for (DataFile file : files) {
-    const std::string before = file.stamp();
-    if (::stat(file.path.c_str(), &file.status) != 0 || file.stamp() != before) return file.path;
-  }
-  return {};
-}
-
 bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder) {
   const auto inner = truePath(path);
   const auto outer = truePath(folder);

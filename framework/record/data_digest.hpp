@@ -32,10 +32,6 @@ struct DataFile {
 /// for more than kMaxFiles files with std::errc::file_too_large.
 std::vector<DataFile> dataFiles(const std::filesystem::path& root);
 
-/// The first of these files that was changed, replaced or removed since it was listed; empty if
-/// none was.
-std::filesystem::path firstChanged(const std::vector<DataFile>& files);
-
 /// Whether `path`, which need not exist, is `folder` or lies in it; links are followed.
 bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder);
 

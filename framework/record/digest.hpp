@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,10 +50,6 @@ std::map<std::string, std::string> resultsDigests(const std::filesystem::path& r
 
 /// The digest of run.sqlite of a run that ends; empty if a reader has kept rows in its log.
 Result<std::string> recordDigest(const std::filesystem::path& run_directory);
-
-/// Files of a run, but for run.sqlite, that are not those that it wrote. Files that were removed
-/// are not among them: an archive has the digests without the files.
-std::set<std::string> changedResults(const std::filesystem::path& run_directory);
 
 /// InvalidInput where run.sqlite or config.resolved.yaml is not what the run wrote. A run that was
 /// killed has no digest of run.sqlite: then SQLite checks it. Ok while the run goes on.

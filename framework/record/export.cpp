@@ -1,17 +1,160 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/export.hpp"
 
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cstdint>
-#include <map>
-#include <string>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+#include <charconv>
 #include <utility>
 
-#include "record/map_file.hpp"
 #include "record/output_places.hpp"
-#include "record/pose_files.hpp"
 
 namespace tolman::record {
+namespace {
+
+// A damaged frame number must not fill the disk with repeated lines.
+constexpr std::int64_t kMaxFrames = 100'000'000;
+constexpr std::int64_t kMaxGap = 1'000'000;
+
+void add(std::string& text, double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0).ptr;
+  text.append(digits.data(), end);
+}
+
+void addPose(std::string& text, const Eigen::Isometry3d& T) {
+  Eigen::Quaterniond q = Eigen::Quaterniond(T.linear()).normalized();
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  for (int i = 0; i < 3; ++i) {
+    add(text, T.translation()[i]);
+    text += ' ';
+  }
+  for (int i = 0; i < 4; ++i) {
+    add(text, q.coeffs()[i]);
+    if (i < 3) text += ' ';
+  }
+}
+
+std::string kittiLine(const Eigen::Isometry3d& T) {
+  std::string line;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      if (!line.empty()) line += ' ';
+      add(line, T.matrix()(row, column));
+    }
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string numberText(double value) {
+  std::string text;
+  add(text, value);
+  return text;
+}
+
+std::string secondsText(std::int64_t time_ns) {
+  constexpr std::uint64_t kSecond = 1'000'000'000;
+  const auto bits = static_cast<std::uint64_t>(time_ns);
+  const std::uint64_t size = time_ns < 0 ? -bits : bits;
+  return fmt::format("{}{}.{:09}", time_ns < 0 ? "-" : "", size / kSecond, size % kSecond);
+}
+
+std::string poseText(const Eigen::Isometry3d& T) {
+  std::string text;
+  addPose(text, T);
+  return text;
+}
+
+std::string tumText(const evaluation::Trajectory& poses) {
+  std::string text;
+  for (const evaluation::TrajectoryPose& pose : poses) {
+    text += secondsText(pose.stamp_ns) + " ";
+    addPose(text, pose.T_world_camera);
+    text += '\n';
+  }
+  return text;
+}
+
+Result<std::string> kittiText(const evaluation::Trajectory& poses, std::int64_t frames) {
+  std::string text;
+  std::string line = kittiLine(Eigen::Isometry3d::Identity());
+  std::int64_t next = 0;
+  const auto repeatUntil = [&](std::int64_t frame) {
+    if (frame < next || frame - next > kMaxGap || frame > kMaxFrames) {
+      return Status::invalidInput(
+          fmt::format("frame {} comes where frame {} was due; the record is damaged", frame, next));
+    }
+    for (; next < frame; ++next) text += line;
+    return Status::ok();
+  };
+  for (const evaluation::TrajectoryPose& pose : poses) {
+    if (Status status = repeatUntil(pose.frame); !status.isOk()) return status;
+    line = kittiLine(pose.T_world_camera);
+    text += line;
+    ++next;
+  }
+  if (Status status = repeatUntil(std::max(next, frames)); !status.isOk()) return status;
+  return text;
+}
+
+GraphParts partsOf(const MapGraph& graph) {
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> links(
+      graph.experiences.size());
+  for (const Link& link : graph.links) {
+    if (graph.isRejected(link)) continue;
+    add_edge(static_cast<std::size_t>(link.from), static_cast<std::size_t>(link.to), links);
+  }
+  GraphParts parts{std::vector<std::int64_t>(graph.experiences.size()), 0};
+  parts.count = boost::connected_components(links, parts.of_experience.data());
+  return parts;
+}
+
+Matrix6d g2oInformation(const Link& link) {
+  constexpr double kVarianceFloor = 1e-10;
+  const Matrix6d symmetric = (link.covariance + link.covariance.transpose()) / 2;
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(symmetric);
+  const Vector6d inverse = solver.eigenvalues().cwiseMax(kVarianceFloor).cwiseInverse();
+  Vector6d jacobian;  // rotation vector = 2 * quaternion vector
+  jacobian << 1, 1, 1, 2, 2, 2;
+  const Matrix6d information =
+      solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+  return link.weight * (jacobian.asDiagonal() * information * jacobian.asDiagonal());
+}
+
+std::string g2oText(const MapGraph& graph) {
+  std::string text;
+  const GraphParts parts = partsOf(graph);
+  if (parts.count > 1) {
+    text += "# " + std::to_string(parts.count) +
+            " parts that no link joins: their relative poses are unknown\n";
+  }
+  for (const Experience& experience : graph.experiences) {
+    text += "VERTEX_SE3:QUAT " + std::to_string(experience.id) + " ";
+    addPose(text, experience.T_world_experience);
+    text += '\n';
+  }
+  if (!graph.experiences.empty()) text += "FIX 0\n";
+  for (const Link& link : graph.links) {
+    if (graph.isRejected(link)) continue;
+    text += "EDGE_SE3:QUAT " + std::to_string(link.from) + " " + std::to_string(link.to) + " ";
+    addPose(text, link.T_from_to);
+    const Matrix6d information = g2oInformation(link);
+    for (int row = 0; row < 6; ++row) {
+      for (int column = row; column < 6; ++column) {
+        text += ' ';
+        add(text, information(row, column));
+      }
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 namespace {
 
 /// The frames of a session: `first` to `end` - 1.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/output_places.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 #include <system_error>
 
 #include "record/atomic_file.hpp"
-#include "record/run_files.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::record {
 namespace {
@@ -50,21 +52,11 @@ Status refuseLinks(const fs::path& directory, std::span<const std::string_view> 
   return Status::ok();
 }
 
-Status refuseFolders(const std::vector<fs::path>& files, const std::string& option) {
-  std::error_code ignored;
-  for (const fs::path& file : files) {
-    if (!fs::is_directory(fs::symlink_status(file, ignored))) continue;
-    return Status::failed(file.string() + ": is a folder, and a file is to be written there; " +
-                          "remove it, or choose another " + option);
-  }
-  return Status::ok();
-}
-
 std::optional<fs::path> runAround(const fs::path& path) {
   const fs::path inner = truePath(path);
   for (fs::path outer = inner.parent_path(); outer.has_relative_path();
        outer = outer.parent_path()) {
-    if (holdsRecordedRun(outer)) return outer;
+    if (holdsRun(outer)) return outer;
   }
   return std::nullopt;
 }
@@ -84,16 +76,63 @@ Status refuseRunPlaces(const fs::path& path, const std::string& option, const fs
 }
 
 Status writeTogether(const std::vector<OutputFile>& files, const std::string& option) {
-  std::vector<fs::path> paths;
-  for (const OutputFile& file : files) paths.push_back(file.path);
-  Status status = refuseFolders(paths, option);
-  for (const fs::path& path : paths) {
+  Status status;
+  std::error_code ignored;
+  for (const auto& [path, bytes] : files) {
+    if (fs::is_directory(fs::symlink_status(path, ignored))) {
+      return Status::failed(path.string() + ": is a folder, and a file is to be written there; " +
+                            "remove it, or choose another " + option);
+    }
     if (status.isOk()) status = checkFolderOf(path);
   }
   for (const OutputFile& file : files) {
     if (status.isOk()) status = writeOutput(file.path, file.bytes);
   }
   return status;
+}
+
+namespace {
+
+bool isSafe(const std::filesystem::path& name) {
+  if (name.empty() || name.is_absolute() || !name.has_filename()) return false;
+  if (name.native().find('\0') != std::string::npos) return false;
+  for (const auto& part : name) {
+    if (part == ".." || part == "." || part.empty()) return false;
+  }
+  return true;
+}
+
+/// Opens the folder `name` in `parent`, and creates it if necessary; refuses a symbolic link.
+FileDescriptor enter(const FileDescriptor& parent, const std::string& name) {
+  ::mkdirat(parent.number(), name.c_str(), 0755);
+  return FileDescriptor(
+      ::openat(parent.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+}
+
+}  // namespace
+
+ArtefactFolder::ArtefactFolder(std::filesystem::path run_directory, std::string instance)
+    : run_directory_(std::move(run_directory)), instance_(std::move(instance)) {}
+
+Status ArtefactFolder::write(std::string_view name, std::span<const std::byte> bytes) {
+  const std::filesystem::path relative(name);
+  if (!isSafe(relative) || !isSafe(instance_)) {
+    return Status::invalidParameter("artefact '" + std::string(name) +
+                                    "': the name must be relative, without \"..\"");
+  }
+  const std::filesystem::path artefacts("artefacts");
+  const std::filesystem::path path = artefacts / instance_ / relative;
+  FileDescriptor folder(::open(run_directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  for (const auto& part : path.parent_path()) {
+    if (folder.isOpen()) folder = enter(folder, part.string());
+  }
+  if (!folder.isOpen()) {
+    return Status::failed((run_directory_ / path).string() + ": its folder cannot be used (" +
+                          std::generic_category().message(errno) +
+                          "); it must be a folder, not a link");
+  }
+  return writeAtomicallyAt(folder, path.filename().string(), bytes,
+                           (run_directory_ / path).string());
 }
 
 }  // namespace tolman::record

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tolman/context.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::record {
@@ -25,9 +26,6 @@ std::filesystem::path truePath(const std::filesystem::path& path);
 /// written in another folder.
 Status refuseLinks(const std::filesystem::path& directory,
                    std::span<const std::string_view> folders);
-
-/// Failed if one of the files is a folder. `option`: what chose them, for the remedy.
-Status refuseFolders(const std::vector<std::filesystem::path>& files, const std::string& option);
 
 /// The run directory in which the path lies, at any depth; empty if in none, or if it is one.
 std::optional<std::filesystem::path> runAround(const std::filesystem::path& path);
@@ -46,5 +44,17 @@ struct OutputFile {
 /// Writes all files by writeOutput(); none if one is a folder, or if a folder is missing or
 /// read-only.
 Status writeTogether(const std::vector<OutputFile>& files, const std::string& option);
+
+/// The artefacts of one plugin instance. Writes below <run>/artefacts/<instance>/ only: names with
+/// "..", absolute names and symbolic links on the way are refused.
+class ArtefactFolder : public ArtefactWriter {
+ public:
+  ArtefactFolder(std::filesystem::path run_directory, std::string instance);
+  Status write(std::string_view name, std::span<const std::byte> bytes) override;
+
+ private:
+  std::filesystem::path run_directory_;
+  std::string instance_;
+};
 
 }  // namespace tolman::record

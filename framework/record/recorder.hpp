@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "record/run_reader.hpp"
-#include "record/store.hpp"
+#include "record/schema.hpp"
 #include "tolman/context.hpp"
 #include "tolman/roles.hpp"
 

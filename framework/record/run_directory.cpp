@@ -12,12 +12,13 @@
 #include <fstream>
 #include <span>
 #include <system_error>
+#include <vector>
 
 #include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "config/values.hpp"
+#include "record/export.hpp"
 #include "record/output_places.hpp"
-#include "record/run_files.hpp"
 
 namespace tolman::record {
 namespace {
@@ -26,6 +27,61 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOther = "choose another --out";
 constexpr const char* kBusy = ": another run is writing here; ";
+
+constexpr std::array kRecordFiles = {"run.sqlite",          "run.sqlite-wal", "run.sqlite-shm",
+                                     "run.sqlite-journal",  "run.json",       "log.txt",
+                                     "config.resolved.yaml"};
+constexpr std::array kDerivedFiles = {"metrics.json", "report.html", "results.sha256", "map.svg",
+                                      "run.npz",      "run.nwb",     "figures"};
+
+/// The name without the affixes of writeAtomically(): a killed program leaves its temporary files.
+std::string finalName(const std::string& name) {
+  const std::size_t partial = name.rfind(".partial");
+  const bool is_temporary = name.starts_with('.') && partial != std::string::npos && partial > 0;
+  return is_temporary ? name.substr(1, partial - 1) : name;
+}
+
+/// Removes files, and folders with all that is in them; keeps the first failure.
+template <class Names>
+void removeAll(const fs::path& directory, const Names& names, Status& status) {
+  for (const auto& name : names) {
+    std::error_code error;
+    if (status.isOk()) fs::remove_all(directory / name, error);
+    if (error) status = Status::failed((directory / name).string() + ": " + error.message());
+  }
+}
+
+/// Temporary files of a killed program in this folder, and the folders of earlier sessions.
+std::vector<fs::path> remainsIn(const fs::path& directory) {
+  std::vector<fs::path> remains;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    const std::string name = entry.path().filename().string();
+    if (finalName(name) != name) remains.push_back(entry.path());
+    if (name.starts_with("session-") && entry.is_directory(error)) remains.push_back(entry.path());
+  }
+  return remains;
+}
+
+Status removeDerivedFiles(const fs::path& directory) {
+  Status status;
+  removeAll(directory, kExportedFiles, status);
+  removeAll(directory, kDerivedFiles, status);
+  for (const fs::path& remains : remainsIn(directory)) {
+    std::error_code kept;  // a folder in which the user has files
+    if (fs::is_directory(remains)) removeAll(remains, kExportedFiles, status);
+    if (status.isOk()) fs::remove(remains, kept);
+  }
+  return status;
+}
+
+/// The same for all files of a run, including record, log, states and artefacts.
+Status removeRunFiles(const fs::path& directory) {
+  Status status = removeDerivedFiles(directory);
+  removeAll(directory, kRunFolders, status);
+  removeAll(directory, kRecordFiles, status);
+  return status;
+}
 
 /// The folder name for a run: without separators, not hidden.
 std::string folderName(const RunDirectoryOptions& options) {
@@ -64,11 +120,20 @@ Status cannotBeMade(const fs::path& path, const std::error_code& why) {
                         "); choose another with --out");
 }
 
+/// The state that a run leaves if it could not write its first file.
+bool holdsOnlyEmptyLog(const fs::path& directory) {
+  std::error_code error;
+  fs::directory_iterator entry(directory, error);
+  return !error && entry != fs::directory_iterator() && entry->path().filename() == "log.txt" &&
+         entry->is_regular_file(error) && entry->file_size(error) == 0 &&
+         ++entry == fs::directory_iterator();
+}
+
 /// Ok for an empty folder, and with `replace` for that of an earlier run.
 Status mayReplace(const fs::path& path, bool replace) {
   std::error_code error;
   if (fs::is_empty(path, error)) return Status::ok();
-  if (!holdsRun(path)) {
+  if (!holdsRun(path) && !holdsOnlyEmptyLog(path)) {
     return Status::failed(path.string() +
                           ": is not empty and holds no run; choose an empty or new directory");
   }
@@ -133,16 +198,6 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string&
     return Status::failed(path.string() + kBusy + remedy);
   }
   return RunDirectory(path, std::move(descriptor));
-}
-
-Status RunDirectory::mayTakeFilesOf(const fs::path& run, const fs::path& folder) {
-  std::error_code ignored;
-  const bool holds_run =
-      fs::exists(folder / "run.sqlite", ignored) || fs::exists(folder / "run.json", ignored);
-  if (holds_run && !fs::equivalent(run, folder, ignored)) {
-    return Status::failed(folder.string() + ": holds another run; " + kOther);
-  }
-  return refuseRunPlaces(folder, "--out", run);
 }
 
 Status RunDirectory::stillInPlace() const {
@@ -214,17 +269,12 @@ Status RunDirectory::writeRunFile(const nlohmann::ordered_json& provenance, RunS
                            (path_ / "run.json").string(), Sync::Yes);
 }
 
-std::string runIdOf(const std::filesystem::path& directory) {
-  const auto json = RunDirectory::readRunFile(directory);
-  const auto id = json.find(kRunIdKey);  // end() also if it is not an object
-  return id != json.end() && id->is_string() ? id->get<std::string>() : "";
-}
-
-Status isOfRun(const std::filesystem::path& file, std::string_view id, std::string_view run) {
-  if (run.empty() || id == run) return Status::ok();
-  return Status::invalidInput(file.string() +
-                              ": is of another run than the run.json of this run directory; put "
-                              "back the files of one run, or run it again");
+bool holdsRun(const fs::path& directory) {
+  std::error_code ignored;
+  return fs::exists(directory / "run.sqlite", ignored) ||
+         RunDirectory::checkRunFile(directory).isOk() ||
+         (fs::exists(directory / "run.json", ignored) &&
+          fs::exists(directory / "config.resolved.yaml", ignored));
 }
 
 }  // namespace tolman::record

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The folder of one run: its creation, the link `latest`, and run.json.
+// The folder of one run: its creation, the link `latest`, run.json, and which files are the run's.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ struct RunDirectoryOptions {
 class RunDirectory {
  public:
   /// Creates <root>/<name>-<UTC time> and links <root>/latest to it, or uses `out`: a new or empty
-  /// folder, or with `replace` the folder of an earlier run, whose files are removed, and no others
-  /// (run_files.hpp). Any other folder is refused.
+  /// folder, or with `replace` the folder of an earlier run, whose files are removed, and no
+  /// others. Any other folder is refused.
   static Result<RunDirectory> create(const RunDirectoryOptions& options);
 
   /// Whether create() would take `path`, which need not exist; nothing is changed.
@@ -42,10 +42,6 @@ class RunDirectory {
   /// Opens the directory of an earlier run unchanged, to resume the run.
   static Result<RunDirectory> reopen(const std::filesystem::path& path);
 
-  /// Refuses `folder` for result files of `run` if it contains another run or lies in one, or in a
-  /// folder of `run` itself such as state/.
-  static Status mayTakeFilesOf(const std::filesystem::path& run,
-                               const std::filesystem::path& folder);
   /// Whether a run is writing there at this moment.
   static bool isBeingWritten(const std::filesystem::path& path);
   /// run.json of the run there; null where there is none, or none that is JSON.
@@ -62,7 +58,9 @@ class RunDirectory {
   /// Fails if the folder was moved, removed or replaced: path() may then be another run.
   Status stillInPlace() const;
 
-  /// Removes what was computed from a record that is about to change (removeDerivedFiles()).
+  /// Removes what `export`, `report` or the end of a run computed from the record, which is about
+  /// to change: trajectories, map, metrics, figures, run.npz, run.nwb and the exports of earlier
+  /// sessions. Other files belong to the user and are kept. Failed if one cannot be removed.
   Status removeDerived() const;
 
   /// The text of run.json: the object `provenance` and "status".
@@ -83,12 +81,8 @@ class RunDirectory {
 /// The key of the run's id in run.json, and in table `run` of run.sqlite.
 inline constexpr const char* kRunIdKey = "id";
 
-/// The id that run.json there has. Empty where it has none, as in runs of older
-/// versions, or where run.json is missing or damaged.
-std::string runIdOf(const std::filesystem::path& directory);
-
-/// InvalidInput, naming both files, if `file` in a run directory with the id `run` has another id.
-/// An empty `run` allows any.
-Status isOfRun(const std::filesystem::path& file, std::string_view id, std::string_view run);
+/// Whether `directory` is a run directory: it has a run.sqlite, or a run.json with a status or
+/// beside a config.resolved.yaml.
+bool holdsRun(const std::filesystem::path& directory);
 
 }  // namespace tolman::record

@@ -19,6 +19,21 @@ double stepOf(const Range& range, int wanted) {
   return power * (digit > 5 ? 10 : digit > 2 ? 5 : digit > 1 ? 2 : 1);
 }
 
+/// Of the entries from the first one, px: lines of at most this width.
+std::vector<Eigen::Vector2d> legendPlaces(const std::vector<Axes::LegendEntry>& entries,
+                                          double width) {
+  constexpr double kLetter = 6.1;
+  std::vector<Eigen::Vector2d> places;
+  Eigen::Vector2d at(0, 0);
+  for (const Axes::LegendEntry& entry : entries) {
+    const double own = 34 + kLetter * static_cast<double>(entry.name.size());
+    if (at.x() > 0 && at.x() + own > width) at = {0, at.y() + 14};
+    places.push_back(at);
+    at.x() += own;
+  }
+  return places;
+}
+
 int ticksIn(double pixels, double each) { return std::max(2, static_cast<int>(pixels / each)); }
 
 }  // namespace
@@ -61,6 +76,7 @@ std::string tickText(double value, double step) {
 
 Axes::Axes(Svg& svg, AxesPlan plan) : svg_(svg), plan_(std::move(plan)) {
   for (Range* range : {&plan_.x, &plan_.y}) {
+    if (range->length() < 0) *range = Range();
     if (!(range->length() > 0)) range->high = range->low + 1;
   }
   fit();
@@ -118,13 +134,59 @@ void Axes::polyline(const std::vector<double>& x, const std::vector<double>& y, 
 }
 
 void Axes::legend(const std::vector<LegendEntry>& entries) {
-  double x = plan_.place.min().x();
-  const double y = plan_.place.min().y() - 8;
-  for (const LegendEntry& entry : entries) {
-    svg_.line({x, y - 4}, {x + 16, y - 4}, entry.colour, 3);
-    svg_.text({x + 20, y}, entry.name, {TextAnchor::Start, 11});
-    x += 34 + 6.3 * static_cast<double>(entry.name.size());
+  const auto places = legendPlaces(entries, plan_.place.sizes().x());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double up = places.back().y() - places[i].y() + 8;
+    const Eigen::Vector2d at = plan_.place.min() + Eigen::Vector2d(places[i].x(), -up);
+    svg_.line(at - Eigen::Vector2d(0, 4), at + Eigen::Vector2d(16, -4), entries[i].colour, 3);
+    svg_.text(at + Eigen::Vector2d(20, 0), entries[i].name, {TextAnchor::Start, 11});
   }
+}
+
+double Axes::legendHeight(const std::vector<LegendEntry>& entries, double width) {
+  return entries.empty() ? 8 : 22 + legendPlaces(entries, width).back().y();
+}
+
+std::vector<Axes::LegendEntry> legendOf(const std::vector<Curve>& curves) {
+  std::vector<Axes::LegendEntry> entries;
+  for (const Curve& curve : curves) {
+    if (!curve.name.empty()) entries.push_back({curve.colour, curve.name});
+  }
+  return entries;
+}
+
+Axes plot(Svg& svg, AxesPlan plan, const std::vector<Curve>& curves) {
+  const bool is_free = plan.y.length() < 0;
+  for (const Curve& curve : curves) {
+    for (const double x : curve.x) plan.x.include(x);
+    for (const auto* values : {&curve.y, &curve.low, &curve.high}) {
+      for (const double y : *values) plan.y.include(y);
+    }
+  }
+  if (is_free && plan.y.length() >= 0) {
+    const double margin = 0.05 * plan.y.length() + 1e-9;
+    const bool is_near_zero = plan.y.low >= 0 && plan.y.low < 0.5 * plan.y.high;
+    plan.y = {is_near_zero ? 0 : plan.y.low - margin, plan.y.high + margin};
+  }
+  Axes axes(svg, std::move(plan));
+  for (const Curve& curve : curves) {
+    std::vector<Eigen::Vector2d> border;
+    for (std::size_t i = 0; i < curve.low.size(); ++i) {
+      border.push_back(axes.at(curve.x[i], curve.low[i]));
+    }
+    for (std::size_t i = curve.high.size(); i > 0; --i) {
+      border.push_back(axes.at(curve.x[i - 1], curve.high[i - 1]));
+    }
+    if (!border.empty()) svg.area(border, curve.colour, 0.2);
+  }
+  for (const Curve& curve : curves) {
+    axes.polyline(curve.x, curve.y, curve.colour, curve.thickness);
+    for (std::size_t i = 0; curve.dots && i < curve.x.size(); ++i) {
+      svg.circle(axes.at(curve.x[i], curve.y[i]), 3, curve.colour);
+    }
+  }
+  axes.legend(legendOf(curves));
+  return axes;
 }
 
 }  // namespace tolman::report

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 namespace tolman::report {
 
 struct Range {
+  /// Nothing; plot() extends it to its values.
+  static constexpr Range none() { return {HUGE_VAL, -HUGE_VAL}; }
   double low = 0;
   double high = 1;
   void include(double value);
@@ -53,8 +56,10 @@ class Axes {
     const char* colour;
     std::string name;
   };
-  /// Draws a legend above the box, from the left.
+  /// Draws a legend above the box, from the left, in as many lines as it needs.
   void legend(const std::vector<LegendEntry>& entries);
+  /// Height of such a legend above a box of this width, px.
+  static double legendHeight(const std::vector<LegendEntry>& entries, double width);
 
  private:
   struct Side;
@@ -64,5 +69,22 @@ class Axes {
   AxesPlan plan_;
   Eigen::Vector2d scale_;  ///< px per unit
 };
+
+struct Curve {
+  std::string name;  ///< in the legend
+  const char* colour;
+  std::vector<double> x;
+  std::vector<double> y;
+  double thickness = 1.5;
+  bool dots = false;  ///< at each point
+  // The borders of a band around the curve; empty: none.
+  std::vector<double> low{};
+  std::vector<double> high{};
+};
+
+/// Draws curves in axes whose ranges are extended to all values; a range of y that was none() gets
+/// a margin, and begins at 0 where that is near. A legend where the curves have names.
+Axes plot(Svg& svg, AxesPlan plan, const std::vector<Curve>& curves);
+std::vector<Axes::LegendEntry> legendOf(const std::vector<Curve>& curves);
 
 }  // namespace tolman::report

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <span>
@@ -90,12 +89,9 @@ std::vector<std::size_t> moments(std::size_t count) {
   return chosen;
 }
 
-using evaluation::PopulationHistory;
-
 constexpr double kArrayPanel = 190;       // px, height of the panel of one array
 constexpr std::size_t kMaxColumns = 100;  // cells of a heat map
 constexpr std::size_t kMaxRows = 24;
-constexpr std::array<const char*, 5> kLineColours = {kBlue, kOrange, kGreen, kVermilion, kPurple};
 
 Range valuesOf(const PopulationHistory& array) {
   Range range{HUGE_VAL, -HUGE_VAL};
@@ -123,15 +119,18 @@ Range frameRange(const PopulationHistory& array) {
 
 /// One line over time for each value.
 void drawLines(Svg& svg, double top, const PopulationHistory& array) {
-  Axes axes(svg, {titleOf(array), "frame", array.info.unit.empty() ? "value" : array.info.unit,
-                  frameRange(array), valuesOf(array), panelBox(top)});
   const std::vector<double> frames(array.frames.begin(), array.frames.end());
+  std::vector<Curve> curves;
   for (std::size_t i = 0; i < array.activity.front().size(); ++i) {
-    std::vector<double> line;
-    for (const auto& values : array.activity)
-      line.push_back(std::isfinite(values[i]) ? values[i] : 0);
-    axes.polyline(frames, line, kLineColours.at(i));
+    Curve& curve = curves.emplace_back(Curve{"", lineColour(i), frames, {}});
+    for (const auto& values : array.activity) {
+      curve.y.push_back(std::isfinite(values[i]) ? values[i] : 0);
+    }
   }
+  plot(svg,
+       {titleOf(array), "frame", array.info.unit.empty() ? "value" : array.info.unit,
+        frameRange(array), valuesOf(array), panelBox(top)},
+       curves);
 }
 
 /// Frames to the right, indices (row-major) upwards; both are thinned to the cells of the heat map.

@@ -115,47 +115,6 @@ void drawMap(Svg& svg, const PlanView& view, const MapPicture& picture, const st
   axes.legend(entries(picture));
 }
 
-/// Panels with the same axes; if there are several, their titles begin with a letter.
-class Panels {
- public:
-  Panels(const std::vector<MapPicture>& pictures, double long_side)
-      : pictures_(pictures), view_(pictures), size_(view_.pixels(long_side)) {}
-
-  /// Size of a panel with its labels, px.
-  Eigen::Vector2d cell() const {
-    return {std::max(kLeft + size_.x() + kRight, kMinWidth), kMapTop + size_.y() + kBottom};
-  }
-  /// Draws panel i; `corner` is the upper left corner of its cell.
-  void draw(Svg& svg, std::size_t i, const Eigen::Vector2d& corner) const {
-    const std::string letter =
-        pictures_.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i % 26)) : "";
-    const Eigen::Vector2d from = corner + Eigen::Vector2d(kLeft, kMapTop);
-    const Eigen::Vector2d to = from + size_;
-    drawMap(svg, view_, pictures_[i], letter + pictures_[i].title,
-            frame(from.x(), from.y(), to.x(), to.y()));
-  }
-
- private:
-  const std::vector<MapPicture>& pictures_;
-  PlanView view_;
-  Eigen::Vector2d size_;
-};
-
-std::string panelRows(const std::vector<MapPicture>& pictures, double long_side) {
-  const Panels panels(pictures, long_side);
-  const Eigen::Vector2d cell = panels.cell();
-  const std::size_t columns = std::min(pictures.size(), kPanelsInARow);
-  const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
-  Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::size_t column = i % kPanelsInARow;
-    const std::size_t row = i / kPanelsInARow;
-    panels.draw(svg, i,
-                {cell.x() * static_cast<double>(column), cell.y() * static_cast<double>(row)});
-  }
-  return svg.take();
-}
-
 }  // namespace
 
 MapPicture pictureOf(const RunData& run, std::string title) {
@@ -171,21 +130,24 @@ MapPicture pictureOf(const RunData& run, std::string title) {
   return picture;
 }
 
-std::string svgText(const MapPicture& picture) { return panelRows({picture}, kLongSide); }
-
-std::string comparisonText(const std::vector<MapPicture>& pictures) {
-  return panelRows(pictures, kPanelSide);
-}
-
-std::vector<std::string> mapTexts(const std::vector<MapPicture>& pictures) {
-  const Panels panels(pictures, kPanelSide);
-  std::vector<std::string> texts;
+std::string mapFigure(const std::vector<MapPicture>& pictures) {
+  const bool is_single = pictures.size() == 1;
+  const PlanView view(pictures);
+  const Eigen::Vector2d size = view.pixels(is_single ? kLongSide : kPanelSide);
+  const Eigen::Vector2d cell(std::max(kLeft + size.x() + kRight, kMinWidth),
+                             kMapTop + size.y() + kBottom);
+  const std::size_t columns = std::min(pictures.size(), kPanelsInARow);
+  const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
+  Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    Svg svg(panels.cell().x(), panels.cell().y());
-    panels.draw(svg, i, Eigen::Vector2d::Zero());
-    texts.push_back(svg.take());
+    const std::string letter =
+        is_single ? "" : fmt::format("({}) ", static_cast<char>('a' + i % 26));
+    const Eigen::Vector2d from(cell.x() * static_cast<double>(i % kPanelsInARow) + kLeft,
+                               cell.y() * static_cast<double>(i / kPanelsInARow) + kMapTop);
+    drawMap(svg, view, pictures[i], letter + pictures[i].title,
+            frame(from.x(), from.y(), from.x() + size.x(), from.y() + size.y()));
   }
-  return texts;
+  return svg.take();
 }
 
 }  // namespace tolman::report

@@ -24,13 +24,8 @@ struct MapPicture {
 /// The picture of a run, in metres; if the scale is unknown, in the arbitrary units of the run.
 MapPicture pictureOf(const RunData& run, std::string title);
 
-/// A view from above with equal scales and a legend.
-std::string svgText(const MapPicture& picture);
-
-/// One panel per run, all with the same axes.
-std::string comparisonText(const std::vector<MapPicture>& pictures);
-
-/// The same panels, each as a picture of its own.
-std::vector<std::string> mapTexts(const std::vector<MapPicture>& pictures);
+/// Views from above with equal scales and a legend: one panel per run, all with the same axes; the
+/// titles of several begin with a letter.
+std::string mapFigure(const std::vector<MapPicture>& pictures);
 
 }  // namespace tolman::report

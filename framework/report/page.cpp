@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <optional>
 
 #include "record/run_directory.hpp"
 #include "report/figures.hpp"
@@ -34,8 +38,6 @@ th:first-child, td:first-child { text-align: left; }
 .comparison thead th:first-child { width: max(6rem, 20%); }
 .comparison th, .comparison td { white-space: normal; overflow-wrap: anywhere; padding-right: .5rem; vertical-align: top; }
 .comparison thead th { text-align: right; } .comparison tbody th { font-weight: normal; } .settings { border-top: 2px solid var(--line); font-size: .85rem; }
-.maps { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 21rem), 1fr)); }
-.maps svg { display: block; width: 100%; height: auto; border-radius: 4px; }
 figure { margin: 1rem 0; } .drawing { overflow-x: auto; }
 .drawing svg { display: block; width: 100%; min-width: calc(.85 * var(--width)); height: auto; border-radius: 4px; }
 @media (min-width: 1000px) { .drawing svg { min-width: calc(.66 * var(--width)); } }
@@ -92,7 +94,7 @@ Status addNeurons(RunPage& page, const UnitChoice& choice) {
 Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoice& units) {
   const RunData& data = page.data;
   addFigure(page, "map", "Experience map over odometry and truth, seen from above.",
-            svgText(pictureOf(data, data.name)));
+            mapFigure({pictureOf(data, data.name)}));
   addFigure(page, "error", "Distance to the truth at each frame.", errorFigure(data));
   addFigure(page, "steps",
             "Lengths and turns of short stretches against the true ones: jumps, standstills and "
@@ -132,58 +134,77 @@ std::string figureText(std::string_view id, const std::string& svg, std::string_
       id, width.substr(0, width.find('"')), svg, escaped(caption));
 }
 
-std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
-  const evaluation::Scores scores = m.scores.value_or(evaluation::Scores{});
-  const auto number = [](bool known, double value, int decimals) {
-    return known ? fmt::format("{:.{}f}", value, decimals) : "–";
-  };
-  const auto metres = [&](double value) { return number(m.scores.has_value(), value, 3); };
-  const auto drift = [&](double value) { return number(scores.kitti.segments > 0, value, 3); };
-  return fmt::format(
-      "<tr><td>{}</td><td>{:.1f}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-      "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      name, m.path_length_m, m.in_metres ? "" : " units", metres(scores.ate_m.rmse),
-      metres(scores.ate_m.mean), metres(scores.ate_m.median), metres(scores.ate_m.max),
-      number(scores.horizontal_m.count > 0, scores.horizontal_m.rmse, 3),
-      number(scores.vertical_m.count > 0, scores.vertical_m.rmse, 3),
-      drift(scores.kitti.t_rel_percent), drift(scores.kitti.r_rel_deg_per_100m),
-      number(m.scores.has_value(), 100 * scores.coverage, 1));
+constexpr const char* kNone = "–";
+
+std::optional<double> rmseOf(const evaluation::Statistics& errors) {
+  return errors.count > 0 ? std::optional(errors.rmse) : std::nullopt;
 }
 
-/// Why the columns of horizontal and vertical error are empty.
-std::string openTurnNote(const evaluation::Metrics& metrics) {
-  for (const auto* trajectory : {&metrics.odometry, &metrics.map}) {
-    const auto& scores = trajectory->scores;
-    if (!scores || scores->no_horizontal.empty()) continue;
-    return "<p>Horizontal and vertical error: " + escaped(scores->no_horizontal) + ".</p>\n";
+std::optional<double> drift(const evaluation::Scores& scores, double value) {
+  return scores.kitti.segments > 0 ? std::optional(value) : std::nullopt;
+}
+
+/// A figure of the errors: its heading, and its text for a trajectory; a dash where it is not
+/// known.
+struct ErrorColumn {
+  const char* heading;
+  std::optional<double> (*value)(const evaluation::Scores&);
+  int decimals = 3;
+
+  std::string text(const evaluation::TrajectoryMetrics& of) const {
+    const auto number = of.scores ? value(*of.scores) : std::nullopt;
+    return number ? fmt::format("{:.{}f}", *number, decimals) : kNone;
   }
-  return "";
+};
+
+using evaluation::Scores;
+constexpr std::array<ErrorColumn, 9> kErrorColumns = {{
+    {"<th>ATE rmse m</th>", [](const Scores& s) { return std::optional(s.ate_m.rmse); }},
+    {"<th>mean</th>", [](const Scores& s) { return std::optional(s.ate_m.mean); }},
+    {"<th>median</th>", [](const Scores& s) { return std::optional(s.ate_m.median); }},
+    {"<th>max</th>", [](const Scores& s) { return std::optional(s.ate_m.max); }},
+    {"<th>horizontal rmse m</th>", [](const Scores& s) { return rmseOf(s.horizontal_m); }},
+    {"<th>vertical rmse m</th>", [](const Scores& s) { return rmseOf(s.vertical_m); }},
+    {"<th title=\"KITTI drift: mean translation error of sub-paths\">t_rel %</th>",
+     [](const Scores& s) { return drift(s, s.kitti.t_rel_percent); }},
+    {"<th title=\"KITTI drift: mean rotation error of sub-paths\">r_rel °/100 m</th>",
+     [](const Scores& s) { return drift(s, s.kitti.r_rel_deg_per_100m); }},
+    {"<th title=\"share of the true poses that have a tracked estimate\">coverage %</th>",
+     [](const Scores& s) { return std::optional(100 * s.coverage); }, 1},
+}};
+
+std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
+  std::string row = fmt::format("<tr><td>{}</td><td>{:.1f}{}</td>", name, m.path_length_m,
+                                m.in_metres ? "" : " units");
+  for (const ErrorColumn& column : kErrorColumns) row += "<td>" + column.text(m) + "</td>";
+  return row + "</tr>\n";
 }
 
-std::string warningNotes(const evaluation::Metrics& metrics) {
-  std::string text;
+/// Warnings, and why the columns of horizontal and vertical error are empty.
+std::string errorNotes(const evaluation::Metrics& metrics) {
+  std::string warnings;
+  std::string open_turn;
   for (const auto& [name, trajectory] :
        {std::pair("odometry", &metrics.odometry), std::pair("map", &metrics.map)}) {
-    if (trajectory->warning.empty()) continue;
-    text += fmt::format("<p><strong>Warning, {}:</strong> {}</p>\n", name,
-                        escaped(trajectory->warning));
+    const auto& scores = trajectory->scores;
+    if (!trajectory->warning.empty()) {
+      warnings += fmt::format("<p><strong>Warning, {}:</strong> {}</p>\n", name,
+                              escaped(trajectory->warning));
+    }
+    if (scores && !scores->no_horizontal.empty() && open_turn.empty()) {
+      open_turn = "<p>Horizontal and vertical error: " + escaped(scores->no_horizontal) + ".</p>\n";
+    }
   }
-  return text;
+  return warnings + open_turn;
 }
 
 std::string errorTable(const evaluation::Metrics& metrics) {
-  return fmt::format(
-             "<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th><th>ATE "
-             "rmse "
-             "m</th><th>mean</th><th>median</th><th>max</th><th>horizontal rmse m</th>"
-             "<th>vertical rmse m</th><th title=\"KITTI drift: mean "
-             "translation error of sub-paths\">t_rel %</th><th title=\"KITTI drift: mean rotation "
-             "error of sub-paths\">r_rel °/100 m</th>"
-             "<th title=\"share of the true poses that have a tracked estimate\">coverage "
-             "%</th></tr>\n",
-             enumName(metrics.alignment)) +
-         errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) +
-         "</table></div>\n" + warningNotes(metrics) + openTurnNote(metrics);
+  std::string text =
+      fmt::format("<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th>",
+                  enumName(metrics.alignment));
+  for (const ErrorColumn& column : kErrorColumns) text += column.heading;
+  return text + "</tr>\n" + errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) +
+         "</table></div>\n" + errorNotes(metrics);
 }
 
 /// Table of the sessions; empty for a single session whose map is connected.
@@ -277,6 +298,84 @@ std::string section(const RunPage& run, const std::string& name) {
   return text;
 }
 
+using TextOf = std::function<std::string(const RunPage&)>;
+
+constexpr std::size_t kMaxSettings = 12;
+
+std::string rowOf(const std::string& label, const std::vector<std::string>& cells) {
+  std::string text = "<tr><th>" + escaped(label) + "</th>";
+  for (const std::string& cell : cells) text += "<td>" + escaped(cell) + "</td>";
+  return text + "</tr>\n";
+}
+
+/// Rows of settings that all runs have. Parameters of plugins that only some runs use are left out,
+/// because they are many.
+std::string settingRows(const std::vector<RunPage>& runs) {
+  std::vector<const config::Node*> trees;
+  trees.reserve(runs.size());
+  for (const RunPage& run : runs) trees.push_back(&run.settings);
+  auto differences = config::differencesOf(trees);
+  std::erase_if(differences, [](const config::Difference& difference) {
+    return difference.key == "name" || difference.key == "threads" ||
+           std::ranges::find(difference.values, "-") != difference.values.end();
+  });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(differences.size(), kMaxSettings); ++i) {
+    text += rowOf(differences[i].key, differences[i].values);
+  }
+  if (differences.size() > kMaxSettings) {
+    text += fmt::format("<tr><th colspan=\"{}\">and {} more settings</th></tr>\n", runs.size() + 1,
+                        differences.size() - kMaxSettings);
+  }
+  return text;
+}
+
+/// " (interrupted)" for a run that ended before its data, whose figures are of a part of them.
+std::string earlyEnd(const RunPage& run) {
+  if (run.killed) return " (killed)";
+  const auto status = run.provenance.is_object() ? run.provenance.value("status", Json()) : Json();
+  if (status != "interrupted" && status != "failed") return "";
+  return " (" + status.get<std::string>() + ")";
+}
+
+/// A counter of run.json; a dash for a killed run.
+TextOf counter(const char* name) {
+  return [name](const RunPage& run) -> std::string {
+    const Json* counters = run.provenance.is_object() && run.provenance.contains("counters")
+                               ? &run.provenance["counters"]
+                               : nullptr;
+    return counters && counters->contains(name) ? (*counters)[name].dump() : kNone;
+  };
+}
+
+TextOf score(evaluation::TrajectoryMetrics evaluation::Metrics::*estimate,
+             const ErrorColumn& column) {
+  return [=](const RunPage& run) { return column.text(run.data.metrics.*estimate); };
+}
+
+TextOf loops(std::int64_t evaluation::LoopFigures::*count) {
+  return [count](const RunPage& run) -> std::string {
+    const auto& figures = run.data.metrics.loops;
+    return figures ? std::to_string(*figures.*count) : kNone;
+  };
+}
+
+std::vector<std::pair<std::string, TextOf>> metricRows() {
+  using evaluation::LoopFigures;
+  using evaluation::Metrics;
+  return {{"map ATE rmse m", score(&Metrics::map, kErrorColumns[0])},
+          {"odometry ATE rmse m", score(&Metrics::odometry, kErrorColumns[0])},
+          {"odometry t_rel %", score(&Metrics::odometry, kErrorColumns[6])},
+          {"coverage %", score(&Metrics::odometry, kErrorColumns[8])},
+          {"loop links",
+           [](const RunPage& run) { return std::to_string(run.data.metrics.counts.loop_links); }},
+          {"true loop links", loops(&LoopFigures::true_links)},
+          {"false loop links", loops(&LoopFigures::false_links)},
+          {"frames", [](const RunPage& run) { return std::to_string(run.data.metrics.frames); }},
+          {"lost", counter("lost")},
+          {"dropped", counter("dropped")}};
+}
+
 }  // namespace
 
 Result<RunPage> makePage(const record::RunReader& reader, RunData data, const UnitChoice& units) {
@@ -294,23 +393,43 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data, const Un
   return page;
 }
 
-std::vector<MapPicture> comparedMaps(const std::vector<RunPage>& runs) {
+std::string comparisonTable(const std::vector<RunPage>& runs) {
+  if (runs.size() < 2) return "";
+  std::string text =
+      "<h1>Comparison</h1>\n<div class=\"wide\"><table class=\"comparison\" style=\"--runs: " +
+      std::to_string(runs.size()) + "\">\n<thead><tr><th></th>";
+  for (const RunPage& run : runs) {
+    text += fmt::format("<th>{}{}</th>", escaped(run.directory), earlyEnd(run));
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  for (const auto& [label, textOf] : metricRows()) {
+    std::vector<std::string> cells;
+    std::ranges::transform(runs, std::back_inserter(cells), textOf);
+    text += rowOf(label, cells);
+  }
+  const std::string settings = settingRows(runs);
+  if (!settings.empty()) text += "</tbody>\n<tbody class=\"settings\">\n" + settings;
+  return text + "</tbody></table></div>\n";
+}
+
+std::string comparisonFigure(const std::vector<RunPage>& runs) {
+  if (runs.size() < 2) return "";
   std::vector<MapPicture> pictures;
   for (const RunPage& run : runs) {
     const auto& scores = run.data.metrics.map.scores;
     const std::string error = scores ? fmt::format(", map rmse {:.2f} m", scores->ate_m.rmse) : "";
     pictures.push_back(pictureOf(run.data, run.directory + error));
   }
-  return pictures;
-}
-
-std::string comparisonFigure(const std::vector<RunPage>& runs) {
-  return runs.size() < 2 ? "" : comparisonText(comparedMaps(runs));
+  return mapFigure(pictures);
 }
 
 std::string html(const std::vector<RunPage>& runs) {
   std::string title;
-  std::string body = comparisonTable(runs) + comparisonMaps(runs) + "<main class=\"runs\">\n";
+  std::string body = comparisonTable(runs);
+  if (const std::string maps = comparisonFigure(runs); !maps.empty()) {
+    body += figureText("comparison", maps, "The maps of all runs, with the same axes.");
+  }
+  body += "<main class=\"runs\">\n";
   for (const RunPage& run : runs) {
     const std::string& name = runs.size() > 1 ? run.directory : run.data.name;
     title += (title.empty() ? "" : ", ") + name;

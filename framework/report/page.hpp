@@ -37,17 +37,12 @@ struct RunPage {
 Result<RunPage> makePage(const record::RunReader& reader, RunData data,
                          const UnitChoice& units = {});
 
-/// The maps of runs, titled with their names and errors.
-std::vector<MapPicture> comparedMaps(const std::vector<RunPage>& runs);
-
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);
 
 /// Settings in which the runs differ, and their metrics, with a column for each run; empty for a
 /// single one.
 std::string comparisonTable(const std::vector<RunPage>& runs);
-/// The maps of all runs with the same axes, each a picture of its own; empty for a single run.
-std::string comparisonMaps(const std::vector<RunPage>& runs);
 
 /// The page. With several runs it begins with their comparison, then has a part for each.
 std::string html(const std::vector<RunPage>& runs);

@@ -29,6 +29,26 @@ std::uint32_t colourOf(double value) {
   return static_cast<std::uint32_t>(colour);
 }
 
+std::string listOf(const std::vector<Eigen::Vector2d>& points) {
+  std::string list;
+  for (const auto& p : points) list += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
+  return list;
+}
+
+/// Without the points that look like the one before: a long run has hundreds of them in a
+/// pixel.
+std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& points) {
+  constexpr double kVisible = 0.2;  // px
+  std::vector<Eigen::Vector2d> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_end = i + 1 == points.size();
+    if (kept.empty() || is_end || (points[i] - kept.back()).norm() > kVisible) {
+      kept.push_back(points[i]);
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -52,12 +72,15 @@ void Svg::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::stri
 
 void Svg::polyline(const std::vector<Eigen::Vector2d>& points, std::string_view colour,
                    double thickness) {
-  std::string list;
-  for (const auto& p : points) list += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
   body_ += fmt::format(
       "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\" stroke-linejoin=\"round\" "
       "points=\"{}\"/>\n",
-      colour, thickness, list);
+      colour, thickness, listOf(thinned(points)));
+}
+
+void Svg::area(const std::vector<Eigen::Vector2d>& border, std::string_view fill, double opacity) {
+  body_ += fmt::format("<polygon fill=\"{}\" fill-opacity=\"{:g}\" points=\"{}\"/>\n", fill,
+                       opacity, listOf(border));
 }
 
 void Svg::circle(const Eigen::Vector2d& centre, double radius, std::string_view fill,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,6 +21,10 @@ inline constexpr const char* kBlue = "#0072B2";
 inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kVermilion = "#D55E00";
 inline constexpr const char* kPurple = "#CC79A7";
+
+/// Of the lines of a figure, in their order.
+inline constexpr std::array kLineColours = {kBlue, kVermilion, kGreen, kOrange, kPurple, kGrey};
+constexpr const char* lineColour(std::size_t i) { return kLineColours[i % kLineColours.size()]; }
 
 // The page replaces these colours in dark mode, so each of them has only one use.
 inline constexpr const char* kPaper = "white";
@@ -52,6 +57,8 @@ class Svg {
             double thickness = 1);
   void polyline(const std::vector<Eigen::Vector2d>& points, std::string_view colour,
                 double thickness = 1.5);
+  /// The inside of a closed line.
+  void area(const std::vector<Eigen::Vector2d>& border, std::string_view fill, double opacity);
   void circle(const Eigen::Vector2d& centre, double radius, std::string_view fill,
               std::string_view stroke = "none");
   void rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view fill,

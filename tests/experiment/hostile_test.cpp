@@ -56,23 +56,6 @@ TEST_CASE("data that change between two runs: later runs refuse, earlier results
   CHECK(contains(study.status(), "planned      10\ndone         1\nfailed       1\n"));
 }
 
-TEST_CASE("the run of another sweep in a folder is not this one's") {
-  const Study study;
-  REQUIRE(study.sweep().exit_code == 0);
-  const fs::path own = study.point("period=100,sequence=a,seed=1");
-  const fs::path other = study.point("period=100,sequence=b,seed=1");
-  for (const char* file : {"point.json", "config.yaml", "outcome.json"}) {
-    fs::copy_file(other / file, own / file, fs::copy_options::overwrite_existing);
-  }
-  fs::remove_all(own / "run");
-  fs::copy(other / "run", own / "run", fs::copy_options::recursive);
-  CHECK(contains(study.status(), "missing      1 without a readable point.json"));
-  CHECK(study.sweep().exit_code == 7);
-  const Finished point = tolman::test::tolman({"--quiet", "sweep", "point", own.string()});
-  CHECK(point.exit_code == 7);
-  CHECK(contains(point.err, "is of another run, whose key is not in the folder's name"));
-}
-
 TEST_CASE("a full disk is reported, and with room the sweep continues to the same results") {
   const Study study;
   REQUIRE(study.sweep({}, "whole").exit_code == 0);
@@ -119,36 +102,6 @@ TEST_CASE("an outcome that is damaged concerns its run only") {
   const fs::path outcome = study.point("period=100,sequence=a,seed=1") / "outcome.json";
   std::ofstream(outcome) << "{\"state\": 3}";
   CHECK(contains(study.status(), "outcome.json: is damaged; remove it"));
-}
-
-TEST_CASE("figures that a run did not write itself are not taken for its own") {
-  const Study study;
-  REQUIRE(study.sweep().exit_code == 0);
-  const fs::path one = study.point("period=100,sequence=a,seed=1") / "run";
-  const auto collected = [&] {
-    return tolman::test::tolman({"sweep", "collect", study.out().string()});
-  };
-  SECTION("runs that were exchanged") {
-    const fs::path other = study.point("period=150,sequence=a,seed=1") / "run";
-    fs::rename(one, study.folder.path() / "kept");
-    fs::rename(other, one);
-    fs::rename(study.folder.path() / "kept", other);
-    CHECK(contains(collected().err, "2 failed"));
-  }
-  SECTION("edited figures") {
-    std::ofstream(one / "metrics.json", std::ios::app) << " ";
-    CHECK(contains(collected().err, "1 failed"));
-    CHECK(contains(study.status(), "metrics.json: is not the file that this run wrote"));
-    CHECK(study.sweep({"--retry"}).exit_code == 0);
-    CHECK_FALSE(contains(collected().err, "failed"));
-  }
-  SECTION("edited results") {
-    std::ofstream(one / "trajectory.tum", std::ios::app) << "1 2 3 4 0 0 0 1\n";
-    CHECK(contains(collected().err, "1 failed"));
-    CHECK(contains(study.status(), "trajectory.tum: is not the file that this run wrote"));
-    fs::remove(one / "trajectory.tum");  // its figures are still its own
-    CHECK_FALSE(contains(collected().err, "failed"));
-  }
 }
 
 TEST_CASE("tables and figures are not written over what they are made of") {

@@ -4,7 +4,6 @@
 
 #include "experiment/averaging.hpp"
 #include "experiment/comparison.hpp"
-#include "experiment/run_pivot.hpp"
 
 using namespace tolman;
 using namespace tolman::experiment;
@@ -62,20 +61,6 @@ TEST_CASE("of runs with the same factors, seed and results one is left") {
   CHECK(mergeRepeats(rows).status().message() == kRefusal);
 }
 
-TEST_CASE("equal digests with other figures are told") {
-  std::vector<RunRow> edited = sweep("b");
-  edited[2].metrics["map.ate.rmse_m"] = 9.9;
-  edited[3].metrics["timing.map.mean_ms"] = 7;           // a slower computer
-  edited[4].metrics["map.ate.rmse_m"] = 3 * (1 + 1e-9);  // digits of a table
-  std::vector<RunRow> rows = together(sweep("a"), edited);
-  CHECK_THAT(mergeRepeats(rows).value(),
-             Catch::StartsWith("6 of 12 runs were given twice") &&
-                 Catch::Contains(" 1 of them have other figures in spite of the same digest of "
-                                 "results (map.ate.rmse_m of '75/2' is 2 (a) and 9.9 (b))"));
-  REQUIRE(rows.size() == 6);
-  CHECK(rows[2].metrics["map.ate.rmse_m"] == 2);
-}
-
 TEST_CASE("the order of factors does not matter, and without digests the figures decide") {
   std::vector<RunRow> rows = {repeatedRow("a", "75", 1, 1), repeatedRow("b", "75", 1, 1)};
   std::swap(rows[1].factors[0], rows[1].factors[1]);
@@ -115,14 +100,4 @@ TEST_CASE("so are the cells of a table") {
   CHECK(pivotOf(together(sweep("a"), changed()), options).status().message() == kRefusal);
   options.only = {{"period", "150"}};  // those agree
   CHECK(pivotOf(together(sweep("a"), changed()), options).isOk());
-}
-
-TEST_CASE("runs with different factors but equal joined labels are refused") {
-  std::vector<RunRow> rows = {repeatedRow("a", "1, 2", 3, 1), repeatedRow("a", "1", 3, 2)};
-  rows[0].factors = {{"x", "1, 2"}, {"y", "3"}};
-  rows[1].factors = {{"x", "1"}, {"y", "2, 3"}};
-  ComparisonOptions options;
-  options.by = {"x", "y"};
-  CHECK_THAT(compareRuns(rows, options).status().message(),
-             Catch::Contains("differ in x, but both would be in the row '1, 2, 3'"));
 }

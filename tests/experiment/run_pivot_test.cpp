@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables with a column for each level of a factor, and the text of tables.
-#include "experiment/run_pivot.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "experiment/comparison.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
@@ -106,10 +105,6 @@ TEST_CASE("what is no table is refused") {
   CHECK(message(asked) == "no run has the metric 'map.ate.rmse'");
   asked.cell = "{map.ate.rmse_m:.2q}";
   CHECK(message(asked).starts_with("'{:.2q}': "));
-  asked.cell = "{map.ate.rmse_m:2000000000.2f}";
-  CHECK(message(asked) == "'{:2000000000.2f}': a width or a number of digits above 100");
-  asked.cell = "{map.ate.rmse_m:.99999999999999999999f}";
-  CHECK(message(asked).find("a width or a number of digits above 100") != std::string::npos);
   asked.cell = "{map.ate.rmse_m:100.17f}";
   CHECK(message(asked) == "none");
   asked.cell = "{map.ate.rmse_m";
@@ -124,7 +119,7 @@ TEST_CASE("what is no table is refused") {
 TEST_CASE("a table that was cut after its first line is told as that") {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "runs.csv";
-  const std::string text = csvOf(modelRows());
+  const std::string text = csvOf(tableOf(modelRows()));
   std::ofstream(file) << text.substr(0, text.find('\n') + 1);
   CHECK(readRunRows({file}).status().message() ==
         file.string() + ": is no table of `tolman sweep collect`: it has no line after the first");
@@ -144,7 +139,7 @@ TEST_CASE("a table of runs is read as it was written") {
   std::vector<RunRow> written = modelRows();
   written[0].metrics["map.ate.rmse_m"] = 0.1 + 0.2;
   const auto file = folder.path() / "runs.csv";
-  std::ofstream(file) << csvOf(written);
+  std::ofstream(file) << csvOf(tableOf(written));
   const auto read = readRunRows({file});
   REQUIRE(read.isOk());
   REQUIRE(read.value().size() == written.size());
@@ -155,7 +150,7 @@ TEST_CASE("a table of runs is read as it was written") {
     CHECK(read.value()[i].truth == written[i].truth);
     CHECK(read.value()[i].results == written[i].results);
   }
-  CHECK(csvOf(written, {"loops.true_links"}).find("rmse") == std::string::npos);
+  CHECK(csvOf(tableOf(written, {"loops.true_links"})).find("rmse") == std::string::npos);
   std::ofstream(file) << "name,model\na,b\n";
   const auto refusal = [&] { return readRunRows({file}).status().message(); };
   CHECK(
@@ -164,6 +159,4 @@ TEST_CASE("a table of runs is read as it was written") {
   CHECK(refusal().ends_with("line 3, ate: 'nan' is no number"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2\n";
   CHECK(refusal().ends_with("line 2 has 3 fields, the first 6"));
-  std::ofstream(file) << "name,model,alignment,truth,results,ate,ate\na,b,se2,t,r,1,2\n";
-  CHECK(refusal().ends_with("line 1 has two columns 'ate'; rename or remove one of them"));
 }

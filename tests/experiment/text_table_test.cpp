@@ -9,7 +9,7 @@ using namespace tolman::experiment;
 namespace {
 
 /// A table whose labels are `label`, with one cell.
-TextTable tableOf(const std::string& label, const std::string& cell = "1") {
+Table tableOf(const std::string& label, const std::string& cell = "1") {
   return {{label, label}, {{label, cell}}, {}};
 }
 
@@ -17,8 +17,10 @@ TextTable tableOf(const std::string& label, const std::string& cell = "1") {
 
 TEST_CASE("quoted fields of CSV") {
   const std::string field = "a \"b\", c\nd";
-  CHECK(csvRows(csvField(field) + ",x\n\n") ==
-        std::vector<std::vector<std::string>>{{field, "x"}, {""}});
+  CHECK(csvOf(tableOf(field)) ==
+        "\"a \"\"b\"\", c\nd\",\"a \"\"b\"\", c\nd\"\n\"a \"\"b\"\", c\nd\",1\n");
+  CHECK(csvRows(csvOf(tableOf(field)) + "\n") ==
+        std::vector<std::vector<std::string>>{{field, field}, {field, "1"}, {""}});
 }
 
 TEST_CASE("labels with bars, line breaks and backslashes keep the rows of a Markdown table") {
@@ -44,7 +46,7 @@ TEST_CASE("every character of a label is text in LaTeX") {
 }
 
 TEST_CASE("CSV has labels as they are, and no notes; elsewhere a note is one line") {
-  TextTable table = tableOf("a|b\nc\\d");
+  Table table = tableOf("a|b\nc\\d");
   table.notes = {"two\nlines"};
   CHECK(csvRows(csvOf(table)) ==
         std::vector<std::vector<std::string>>{{"a|b\nc\\d", "a|b\nc\\d"}, {"a|b\nc\\d", "1"}});

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that plugins write into the run directory; other places are refused.
-#include "record/artefacts.hpp"
-
 #include "record/by_hand.hpp"
+#include "record/output_places.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

@@ -42,34 +42,4 @@ TEST_CASE("runs beside the data are no data, a run that is named gives its recor
   CHECK(namesOf(dataFiles(run)) == std::vector<std::string>{"run.sqlite", "state/map.bin"});
 }
 
-TEST_CASE("a changed, replaced or removed file is found, new ones are no change") {
-  const test::TemporaryFolder folder;
-  const fs::path image = folder.path() / "1.png";
-  test::writeFile(image, "left");
-  test::writeFile(folder.path() / "2.png", "right");
-  const auto files = dataFiles(folder.path());
-  REQUIRE(firstChanged(files).empty());
-  test::writeFile(folder.path() / "3.png", "new");
-  CHECK(firstChanged(files).empty());
-  SECTION("longer") {
-    test::writeFile(image, "left and more");
-    CHECK(firstChanged(files) == image);
-  }
-  SECTION("other bytes of the same length") {
-    fs::last_write_time(image, fs::last_write_time(image) + std::chrono::seconds(1));
-    CHECK(firstChanged(files) == image);
-  }
-  SECTION("another file of the same name and age") {
-    const auto age = fs::last_write_time(image);
-    test::writeFile(folder.path() / "4.png", "LEFT");
-    fs::last_write_time(folder.path() / "4.png", age);
-    fs::rename(folder.path() / "4.png", image);
-    CHECK(firstChanged(files) == image);
-  }
-  SECTION("removed") {
-    fs::remove(image);
-    CHECK(firstChanged(files) == image);
-  }
-}
-
 }  // namespace tolman::record

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "record/by_hand.hpp"
-#include "record/map_file.hpp"
+#include "record/export.hpp"
 #include "record/sample_run.hpp"
 
 using namespace tolman;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Trajectories as text.
-#include "record/pose_files.hpp"
-
 #include <numbers>
 
 #include "record/by_hand.hpp"
+#include "record/export.hpp"
 #include "record/sample_run.hpp"
 
 using namespace tolman;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which files of a run directory Tolman removes: its own, and no others.
-#include "record/run_files.hpp"
-
 #include "record/by_hand.hpp"
 #include "record/run_directory.hpp"
 #include "support/data.hpp"
@@ -53,14 +51,13 @@ TEST_CASE("a run.json of another program does not make a folder a run") {
 TEST_CASE("what a run leaves that could not write its first file may be replaced") {
   const test::TemporaryFolder folder;
   std::ofstream(folder.path() / "log.txt").close();
-  CHECK(holdsRun(folder.path()));
   CHECK_FALSE(RunDirectory::mayTake(folder.path(), false).isOk());
   CHECK(RunDirectory::mayTake(folder.path(), true).isOk());
   put(folder.path() / "log.txt");  // text of another program
-  CHECK_FALSE(holdsRun(folder.path()));
+  CHECK_FALSE(RunDirectory::mayTake(folder.path(), true).isOk());
   std::ofstream(folder.path() / "log.txt").close();
   put(folder.path() / "other.txt");
-  CHECK_FALSE(holdsRun(folder.path()));
+  CHECK_FALSE(RunDirectory::mayTake(folder.path(), true).isOk());
 }
 
 TEST_CASE("whether a directory would be taken is known without touching it") {

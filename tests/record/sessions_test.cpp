@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that continue earlier ones, and maps in parts.
 #include "record/export.hpp"
-#include "record/map_file.hpp"
 #include "record/sample_run.hpp"
 #include "support/data.hpp"
 

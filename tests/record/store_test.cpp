@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Records in tables, written and read, with nested lists.
-#include "record/store.hpp"
-
 #include <cstring>
 
 #include "record/by_hand.hpp"
 #include "record/sample_run.hpp"
+#include "record/schema.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

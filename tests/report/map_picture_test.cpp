@@ -39,7 +39,7 @@ std::vector<Eigen::Vector2d> polyline(const std::string& svg, int n) {
 TEST_CASE("the picture keeps right angles and scale: forward is up, right is right") {
   report::MapPicture picture;
   picture.map = path({{0, 0}, {0, 40}, {40, 40}});
-  const auto pixels = polyline(report::svgText(picture), 1);  // odometry comes first
+  const auto pixels = polyline(report::mapFigure({picture}), 1);  // odometry comes first
   REQUIRE(pixels.size() == 3);
   CHECK(pixels[1].x() == Approx(pixels[0].x()));
   CHECK(pixels[1].y() < pixels[0].y());  // y of a picture grows downwards
@@ -50,7 +50,7 @@ TEST_CASE("the picture keeps right angles and scale: forward is up, right is rig
 TEST_CASE("a long straight street lies down, and a left turn stays a left turn") {
   report::MapPicture picture;
   picture.map = path({{0, 0}, {0, 100}, {-10, 100}});
-  const auto pixels = polyline(report::svgText(picture), 1);
+  const auto pixels = polyline(report::mapFigure({picture}), 1);
   CHECK(pixels[1].x() > pixels[0].x());
   CHECK(pixels[1].y() == Approx(pixels[0].y()));
   CHECK(pixels[2].y() < pixels[1].y());  // left of rightwards is up
@@ -72,7 +72,7 @@ TEST_CASE("experiences are circles, loop links lines; the title cannot break the
     link.kind = i == 0 ? LinkKind::Odometry : LinkKind::Loop;
   }
   picture.graph.rejected = {2};
-  const std::string svg = report::svgText(picture);
+  const std::string svg = report::mapFigure({picture});
   CHECK(test::countOf(svg, "<circle") == 3);
   CHECK(test::countOf(svg, "stroke-width=\"2\"/>") == 1);
   CHECK(svg.find("a&lt;b &amp; c") != std::string::npos);
@@ -87,7 +87,7 @@ TEST_CASE("panels of several runs have the same axes") {
   report::MapPicture far = near;
   far.title = "far";
   far.map = path({{0, 0}, {0, 40}, {40, 40}});
-  const std::string svg = report::comparisonText({near, far});
+  const std::string svg = report::mapFigure({near, far});
   CHECK(svg.find("(a) near") != std::string::npos);
   CHECK(svg.find("(b) far") != std::string::npos);
   const auto small = polyline(svg, 1);
@@ -100,13 +100,13 @@ TEST_CASE("panels of several runs have the same axes") {
 TEST_CASE("axes are in metres") {
   report::MapPicture picture;
   picture.map = path({{0, 0}, {0, 100}, {60, 100}});
-  const std::string svg = report::svgText(picture);
+  const std::string svg = report::mapFigure({picture});
   CHECK(svg.find("right of the start (m)") != std::string::npos);
   CHECK(svg.find("ahead of the start (m)") != std::string::npos);
 }
 
 TEST_CASE("an empty run is an empty picture, not a crash") {
-  const std::string svg = report::svgText({});
+  const std::string svg = report::mapFigure({report::MapPicture()});
   CHECK(svg.starts_with("<svg"));
   CHECK(svg.find("nan") == std::string::npos);
 }

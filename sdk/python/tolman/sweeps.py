@@ -7,7 +7,6 @@
     tolman.compare(study, by="model")                    # a row a level: mean, interval, difference, p
 """
 import csv
-import hashlib
 import json
 import pathlib
 import tempfile
@@ -55,11 +54,11 @@ class Sweep:
 
 
 def _point(folder):
-    """Factors of a planned run, and whether it is done; {} for a folder that is missing, damaged or holds another run."""
+    """Factors of a planned run, and whether it is done; {} for a folder that is missing or damaged."""
     point = _object(folder / "point.json")
-    if not folder.name.endswith("-" + str(point.get("key"))[:10]) or not isinstance(point.get("factors"), dict):
+    if not isinstance(point.get("factors"), dict):
         return {}, False
-    return point["factors"], _is_done(_object(folder / "outcome.json"), folder / "run")
+    return point["factors"], _object(folder / "outcome.json").get("state") == "done"
 
 
 def _object(file):
@@ -69,24 +68,6 @@ def _object(file):
     except ValueError:
         return {}
     return contents if isinstance(contents, dict) else {}
-
-
-def _is_done(outcome, run):
-    """Whether the run ended well and its files are those that it wrote; sweeps of earlier versions have no digests."""
-    files = outcome.get("digests", {})
-    return outcome.get("state") == "done" and all((run / name).is_file() and _digest(run / name) == digest for name, digest in files.items()) \
-        and ("results.sha256" not in files or _has_own_results(run))
-
-
-def _has_own_results(run):
-    """Whether the files that results.sha256 lists are as it says; they may be removed, but not changed."""
-    lines = (run / "results.sha256").read_text(encoding="utf-8").splitlines()
-    listed = [line.split(maxsplit=1) for line in lines]
-    return all(not (run / name).is_file() or _digest(run / name) == digest for digest, name in listed)
-
-
-def _digest(file):
-    return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
 def sweep(config, out=None, jobs=None):

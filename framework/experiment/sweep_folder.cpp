@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/point_folder.hpp"
+#include "experiment/sweep_folder.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -51,12 +51,8 @@ Json jsonOf(const PlannedRun& run) {
           {"is_front_end", run.is_front_end}};
 }
 
-/// A folder's name ends with the first characters of its run's key, so that point.json and results
-/// that are copied from another run are detected.
-bool isOwn(const Json& point, const fs::path& folder) {
-  const auto found = point.find("key");
-  if (found == point.end() || !found->is_string()) return false;
-  return folder.filename().string().ends_with(folderEnding(found->get<std::string>()));
+record::DataDigest digestOf(const Json& data) {
+  return {data.at("path"), data.at("files"), data.at("bytes"), data.at("stamp"), data.at("sha256")};
 }
 
 PlannedRun runOf(const Json& json, const std::string& folder) {
@@ -64,61 +60,17 @@ PlannedRun runOf(const Json& json, const std::string& folder) {
   run.folder = folder;
   run.name = json.at("name");
   run.key = json.at("key");
-  run.config_sha256 = json.value("config_sha256", "");  // sweeps of earlier versions have none
+  run.config_sha256 = json.at("config_sha256");
   run.front_end_sha256 = json.at("front_end");
   for (const auto& [name, label] : json.at("factors").items()) run.factors.push_back({name, label});
   run.inputs.host = json.at("host");
   for (const auto& [file, digest] : json.at("plugins").items()) run.inputs.plugins[file] = digest;
-  for (const Json& data : json.at("data")) {
-    run.inputs.data.push_back(
-        {data.at("path"), data.at("files"), data.at("bytes"), data.at("stamp"), data.at("sha256")});
-  }
+  for (const Json& data : json.at("data")) run.inputs.data.push_back(digestOf(data));
   run.front_end_folder = json.at("needs");
   run.answers_folder = json.at("replays");
   run.keeps_answers = json.at("shares");
   run.is_front_end = json.at("is_front_end");
   return run;
-}
-
-constexpr std::array<const char*, 2> kFigures = {"metrics.json", "results.sha256"};
-
-Json figureDigests(const fs::path& run) {
-  Json digests = Json::object();
-  for (const char* file : kFigures) {
-    const auto digest = record::fileDigest(run / file);
-    if (digest.isOk()) digests[file] = digest.value();
-  }
-  return digests;
-}
-
-/// Sweeps of earlier versions have no digests.
-PointOutcome withOwnFigures(PointOutcome outcome, const Json& json, const fs::path& run) {
-  if (outcome.state != PointState::Done || !json.contains("digests")) return outcome;
-  const Json now = figureDigests(run);
-  std::vector<std::string> changed;
-  for (const char* file : kFigures) {
-    if (json["digests"].value(file, "") != now.value(file, "")) changed.emplace_back(file);
-  }
-  if (changed.empty()) std::ranges::copy(record::changedResults(run), std::back_inserter(changed));
-  if (changed.empty()) return outcome;
-  outcome.state = PointState::Failed;
-  outcome.message = (run / changed.front()).string() +
-                    ": is not the file that this run wrote; run it again with --retry";
-  return outcome;
-}
-
-/// A file with values of other types is the outcome of a failed run.
-PointOutcome writtenOutcome(const Json& json, const fs::path& folder) {
-  try {
-    const auto state = config::valueNamed<PointState>(json.value("state", ""));
-    return withOwnFigures(
-        {state.value_or(PointState::Failed), json.value("exit_code", 0), json.value("message", ""),
-         json.value("wall_s", 0.0), json.value("replayed", false)},
-        json, folder / "run");
-  } catch (const Json::exception&) {
-    return {PointState::Failed, 0, (folder / "outcome.json").string() + ": is damaged; remove it",
-            0, false};
-  }
 }
 
 Json readJson(const fs::path& file) {
@@ -142,16 +94,10 @@ Status freeze(const fs::path& sweep, const PlannedRun& run) {
 }
 
 Result<PlannedRun> readPoint(const fs::path& folder) {
+  const fs::path file = folder / "point.json";
   try {
-    const Json point = readJson(folder / "point.json");
-    if (point.is_object() && !isOwn(point, folder)) {
-      return Status::invalidInput((folder / "point.json").string() +
-                                  ": is of another run, whose key is not in the folder's name; "
-                                  "remove the folder and plan again with `tolman sweep`");
-    }
-    return runOf(point, folder.filename().string());
+    return runOf(readJson(file), folder.filename().string());
   } catch (const Json::exception&) {
-    const fs::path file = folder / "point.json";
     return Status::invalidInput(
         file.string() + ": " +
         config::absence(file, "is missing or damaged; is this the folder of a run of a sweep?"));
@@ -159,8 +105,9 @@ Result<PlannedRun> readPoint(const fs::path& folder) {
 }
 
 FrozenRuns frozenRuns(const fs::path& sweep) {
-  std::map<std::string, std::size_t> order;
-  for (const std::string& folder : planOrder(sweep)) order.try_emplace(folder, order.size());
+  std::map<std::string, std::size_t> order;  // empty where there is no points.txt
+  std::ifstream stream(sweep / "points.txt", std::ios::binary);
+  for (std::string line; std::getline(stream, line);) order.try_emplace(line, order.size());
   FrozenRuns runs;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(sweep, error)) {
@@ -188,27 +135,21 @@ Status writePlanOrder(const fs::path& sweep, const std::vector<PlannedRun>& runs
   return record::writeAtomically(sweep / "points.txt", text, record::Sync::No);
 }
 
-std::vector<std::string> planOrder(const fs::path& sweep) {
-  std::vector<std::string> folders;
-  std::ifstream stream(sweep / "points.txt", std::ios::binary);
-  for (std::string line; std::getline(stream, line);) folders.push_back(line);
-  return folders;
-}
-
 PointOutcome outcomeOf(const fs::path& folder) {
-  const Json json = readJson(folder / "outcome.json");
-  const Json point = readJson(folder / "point.json");
+  const fs::path file = folder / "outcome.json";
   std::error_code ignored;
-  if (point.is_object() && !isOwn(point, folder)) {
-    return {PointState::Failed, 0,
-            (folder / "point.json").string() +
-                ": is of another run, whose key is not in the folder's name; remove the folder",
-            0, false};
-  }
-  if (json.is_object()) {
-    const bool removed = !fs::exists(folder / "run/run.json", ignored);
-    const bool was_done = json.value("state", Json()) == enumName(PointState::Done);
-    return was_done && removed ? PointOutcome() : writtenOutcome(json, folder);
+  if (fs::exists(file, ignored)) {
+    try {  // values of other types are those of a failed run
+      const Json json = readJson(file);
+      const PointState state = config::valueNamed<PointState>(json.at("state").get<std::string>())
+                                   .value_or(PointState::Failed);
+      const bool is_removed = !fs::exists(folder / "run/run.json", ignored);
+      if (state == PointState::Done && is_removed) return {};
+      return {state, json.at("exit_code"), json.at("message"), json.at("wall_s"),
+              json.at("replayed")};
+    } catch (const Json::exception&) {
+      return {PointState::Failed, 0, file.string() + ": is damaged; remove it", 0, false};
+    }
   }
   PointOutcome outcome;
   if (record::RunDirectory::isBeingWritten(folder)) {
@@ -220,11 +161,32 @@ PointOutcome outcomeOf(const fs::path& folder) {
 }
 
 Status writeOutcome(const fs::path& folder, const PointOutcome& outcome) {
-  const Json json = {
-      {"state", enumName(outcome.state)}, {"exit_code", outcome.exit_code},
-      {"message", outcome.message},       {"wall_s", outcome.wall_s},
-      {"replayed", outcome.replayed},     {"digests", figureDigests(folder / "run")}};
+  const Json json = {{"state", enumName(outcome.state)},
+                     {"exit_code", outcome.exit_code},
+                     {"message", outcome.message},
+                     {"wall_s", outcome.wall_s},
+                     {"replayed", outcome.replayed}};
   return record::writeAtomically(folder / "outcome.json", config::jsonText(json, 1) + "\n");
+}
+
+std::map<std::string, record::DataDigest> readKnownData(const fs::path& sweep) {
+  std::map<std::string, record::DataDigest> known;
+  try {
+    for (const Json& data : readJson(sweep / "data.json")) {
+      record::DataDigest digest = digestOf(data);
+      known[digest.path] = std::move(digest);
+    }
+  } catch (const Json::exception&) {
+    known.clear();  // the data are read again
+  }
+  return known;
+}
+
+Status writeKnownData(const fs::path& sweep,
+                      const std::map<std::string, record::DataDigest>& data) {
+  Json json = Json::array();
+  for (const auto& [path, one] : data) json.push_back(jsonOf(one));
+  return record::writeAtomically(sweep / "data.json", config::jsonText(json, 1) + "\n");
 }
 
 }  // namespace tolman::experiment

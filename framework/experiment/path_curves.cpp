@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/path_lines.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,10 +6,13 @@
 #include "config/text.hpp"
 #include "evaluation/alignment.hpp"
 #include "evaluation/errors.hpp"
+#include "experiment/comparison_figure.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::experiment {
 namespace {
+
+using report::Curve;
 
 constexpr std::size_t kParts = 100;  // equal parts of the path
 
@@ -52,7 +53,7 @@ std::vector<double> errorsByPart(const evaluation::Matches& matches, bool planar
   return sums;
 }
 
-Result<Line> errorLine(const Level& level, const std::string& alignment) {
+Result<Curve> errorCurve(const Level& level, const std::string& alignment) {
   std::vector<std::vector<double>> parts(kParts);  // errors of the runs
   double length = 0;
   for (const auto& directory : level.directories) {
@@ -62,23 +63,24 @@ Result<Line> errorLine(const Level& level, const std::string& alignment) {
     const auto errors = errorsByPart(matches.value(), alignment == "se2");
     for (std::size_t i = 0; i < kParts; ++i) parts[i].push_back(errors[i]);
   }
-  Line line{level.label, {}, nullptr};
+  Curve curve{level.label, nullptr, {}, {}};
   for (std::size_t i = 0; i < kParts; ++i) {
     std::ranges::sort(parts[i]);
-    const double mean = summaryOf(parts[i]).mean;
-    const double x = length * (static_cast<double>(i) + 0.5) / kParts;
-    line.points.push_back({x, mean, {quantile(parts[i], 0.25), quantile(parts[i], 0.75)}});
+    curve.x.push_back(length * (static_cast<double>(i) + 0.5) / kParts);
+    curve.y.push_back(summaryOf(parts[i]).mean);
+    curve.low.push_back(quantile(parts[i], 0.25));
+    curve.high.push_back(quantile(parts[i], 0.75));
   }
-  return line;
+  return curve;
 }
 
-Line lineOf(std::string name, const evaluation::Trajectory& trajectory) {
-  Line line{std::move(name), {}, nullptr};
+Curve curveOf(std::string name, const char* colour, const evaluation::Trajectory& trajectory) {
+  Curve curve{std::move(name), colour, {}, {}};
   for (const auto& pose : trajectory) {
-    const auto& at = pose.T_world_camera.translation();
-    line.points.push_back({at.x(), at.z(), {}});
+    curve.x.push_back(pose.T_world_camera.translation().x());
+    curve.y.push_back(pose.T_world_camera.translation().z());
   }
-  return line;
+  return curve;
 }
 
 const std::filesystem::path& medianRun(const Level& level) {
@@ -90,27 +92,28 @@ const std::filesystem::path& medianRun(const Level& level) {
 
 }  // namespace
 
-Result<std::vector<Line>> errorLines(const Comparison& comparison) {
-  std::vector<Line> lines;
+Result<std::vector<Curve>> errorCurves(const Comparison& comparison) {
+  std::vector<Curve> curves;
   for (const Level& level : comparison.levels) {
-    auto line = errorLine(level, comparison.alignment);
-    if (!line.isOk()) return line.status();
-    lines.push_back(std::move(line).value());
+    auto curve = errorCurve(level, comparison.alignment);
+    if (!curve.isOk()) return curve.status();
+    curve.value().colour = report::lineColour(curves.size());
+    curves.push_back(std::move(curve).value());
   }
-  return lines;
+  return curves;
 }
 
-Result<std::vector<Line>> mapLines(const Comparison& comparison) {
-  std::vector<Line> lines;
+Result<std::vector<Curve>> mapCurves(const Comparison& comparison) {
+  std::vector<Curve> curves;
   for (const Level& level : comparison.levels) {
     const auto matches = alignedMap(medianRun(level), comparison.alignment);
     if (!matches.isOk()) return matches.status();
-    lines.push_back(lineOf(level.label, matches.value().estimate));
-    if (lines.size() < comparison.levels.size()) continue;
-    lines.push_back(lineOf("truth", matches.value().truth));
-    lines.back().colour = report::kGrey;
+    curves.push_back(
+        curveOf(level.label, report::lineColour(curves.size()), matches.value().estimate));
+    if (curves.size() < comparison.levels.size()) continue;
+    curves.push_back(curveOf("truth", report::kGrey, matches.value().truth));
   }
-  return lines;
+  return curves;
 }
 
 }  // namespace tolman::experiment

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The folder of one run of a sweep. It contains all about the run and its outcome:
+// The folder of a sweep: points.txt, the runs of the last plan in its order; data.json, digests of
+// the data; and one folder per run:
 //   config.yaml   the whole configuration, frozen when the run was planned
 //   point.json    name, factors, key, digests of the inputs, the run whose answers it takes
 //   run/          the run directory
-//   outcome.json  written when the run has ended, unless it was interrupted; has the digests of
-//                 its figures, so that those of another run are not taken for them
+//   outcome.json  written when the run has ended, unless it was interrupted
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,12 +52,24 @@ FrozenRuns frozenRuns(const std::filesystem::path& sweep);
 
 /// Writes points.txt: the runs of the current plan, in its order.
 Status writePlanOrder(const std::filesystem::path& sweep, const std::vector<PlannedRun>& runs);
-/// Folders of the last plan; empty where there is no points.txt.
-std::vector<std::string> planOrder(const std::filesystem::path& sweep);
 
-/// A run that was done and whose metrics.json, results.sha256 or files that this lists are not
-/// those that it wrote has failed: its files were changed, or belong to another run.
+/// Planned again if it was done and its run directory was removed.
 PointOutcome outcomeOf(const std::filesystem::path& folder);
 Status writeOutcome(const std::filesystem::path& folder, const PointOutcome& outcome);
+
+/// Digests of the input data, by path, so that data that have not changed are read once.
+std::map<std::string, record::DataDigest> readKnownData(const std::filesystem::path& sweep);
+Status writeKnownData(const std::filesystem::path& sweep,
+                      const std::map<std::string, record::DataDigest>& data);
+
+/// Writes the files that repeat a sweep on another machine into `folder`, which must be empty or
+/// new:
+///   rerun.sh     repeats all runs that are done, and compares the results byte for byte
+///   data.txt     one line per input: variable, path, SHA-256 (or digest of sizes and times)
+///   results.csv  the table of `tolman sweep collect`
+///   runs/NAME/   config.resolved.yaml, run.json, metrics.json, results.sha256, point.json
+///
+/// In the configurations the paths of data are variables, with the present path as default.
+Status writeSweepArchive(const std::filesystem::path& sweep, const std::filesystem::path& folder);
 
 }  // namespace tolman::experiment
