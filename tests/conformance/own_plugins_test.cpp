@@ -42,9 +42,8 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   }
   // The kit drives 25 m, a circle of 19 m and on: few views, and no metres to be sure of a place.
   if (id == "view_sequences") {
-    return {"--set", "spacing=0.1",        "--set", "recent=5",
-            "--set", "probability=0.05",   "--set", "landmarks=300",
-            "--set", "landmark_spacing=1", "--set", "landmarks_agreeing=10"};
+    return {"--set", "spacing=0.1",   "--set", "recent=5",          "--set", "probability=0.05",
+            "--set", "landmarks=250", "--set", "landmark_spacing=1"};
   }
   if (id == "seqslam") {
     return {"--set", "sequence=5", "--set", "recent=5", "--set", "quotient=0.9"};

@@ -22,16 +22,15 @@ struct Small {
 };
 
 inline ParameterValues smallTemplates() {
-  return {{"columns", std::int64_t{8}},    {"rows", std::int64_t{3}},
-          {"shift", std::int64_t{1}},      {"threshold", 0.03},
-          {"landmarks", std::int64_t{20}}, {"landmarks_agreeing", std::int64_t{6}}};
+  return {{"columns", std::int64_t{8}},
+          {"rows", std::int64_t{3}},
+          {"shift", std::int64_t{1}},
+          {"threshold", 0.03},
+          {"landmarks", std::int64_t{20}}};
 }
 
 inline ParameterValues smallSequences() {
-  return {{"recent", 2.0},
-          {"landmarks", std::int64_t{10}},
-          {"landmarks_agreeing", std::int64_t{6}},
-          {"probability", 0.3}};
+  return {{"recent", 2.0}, {"landmarks", std::int64_t{10}}, {"probability", 0.3}};
 }
 
 inline ParameterValues smallSeqSlam() {

@@ -21,7 +21,7 @@ ViewerOptions optionsOf(const WebViewer::Parameters& p) {
   options.clients = static_cast<std::size_t>(p.clients);
   options.rate = p.rate;
   options.recorded = p.recorded;
-  options.jpeg_options = {p.image_width, p.jpeg_quality};
+  options.jpeg_options = {.width = p.image_width};
   options.spool_bytes = static_cast<std::uint64_t>(p.spool_mib) << 20U;
   return options;
 }

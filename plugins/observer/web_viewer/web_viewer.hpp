@@ -20,7 +20,6 @@ class WebViewer final : public Observer, public PageServer {
     int clients = 8;
     double rate = 10;
     int image_width = 640;
-    int jpeg_quality = 70;
     int spool_mib = 512;
     bool stay = false;
     bool recorded = false;
@@ -48,9 +47,6 @@ class WebViewer final : public Observer, public PageServer {
               .range(16, 4096)
               .unit("px")
               .doc("Wider images are reduced by an integer factor."),
-          parameter("jpeg_quality", &Parameters::jpeg_quality)
-              .range(1, 100)
-              .doc("JPEG quality of the images."),
           parameter("spool_mib", &Parameters::spool_mib)
               .range(1, 65536)
               .unit("MiB")

@@ -60,12 +60,13 @@ Status DirectSparse::configure(const Context& context) {
   log_ = &context.log;
   MapperSettings settings;
   settings.points = parameters_.points;
-  settings.candidates = parameters_.candidates;
+  // Candidates of a keyframe: about as many points leave the window with each. Chosen, not tuned.
+  settings.candidates = parameters_.points * (cameras_ == Cameras::Single ? 3 : 4) /
+                        (cameras_ == Cameras::Single ? 4 : 5);
   settings.window = parameters_.window;
   const double disparity = rig_.pinhole.fx * rig_.baseline / parameters_.nearest;
   settings.max_disparity =
       static_cast<int>(std::clamp(disparity + 1, 8.0, static_cast<double>(kMaxDisparities)));
-  settings.marginal_weight = parameters_.marginal_weight;
   settings.offset_sigma = parameters_.offset_sigma;
   settings.column_sigma = parameters_.offset_sigma > 0 ? parameters_.column_sigma : 0;
   settings.calibration_distance = parameters_.calibration_distance;

@@ -15,13 +15,14 @@
 
 namespace tolman::direct_sparse {
 
-/// DirectSparse::configure() sets all of them from the parameters, whose defaults are different.
+/// DirectSparse::configure() sets most of them from the parameters, whose defaults are different.
 struct MapperSettings {
-  int points = 2000;                ///< in the window
-  int candidates = 1500;            ///< per keyframe
-  int window = 7;                   ///< keyframes
-  int max_disparity = 160;          ///< px
-  double marginal_weight = 0.25;    ///< of marginalised points in the prior
+  int points = 2000;        ///< in the window
+  int candidates = 1500;    ///< per keyframe
+  int window = 7;           ///< keyframes
+  int max_disparity = 160;  ///< px
+  /// Of marginalised points in the prior; as DSO, compared on KITTI 06, raw 0001, town 07.
+  double marginal_weight = 0.25;
   double offset_sigma = 0;          ///< px, 0: the disparity offset is not estimated
   double column_sigma = 0;          ///< px, 0: only an offset of the disparities is estimated
   double calibration_distance = 0;  ///< m, 0: an offset is never compensated

@@ -15,13 +15,11 @@ namespace tolman::direct_sparse {
 /// only one of the two plugins uses are declared by that one.
 struct Parameters {
   int points = 1500;
-  int candidates = 1200;
   int window = 7;  // keyframes; 5 to 7 in DSO (Engel et al.)
   int iterations = 2;
   double coupling = 1.5;  // 1 to 2 is best in Stereo DSO (Wang et al. 2017)
   double keyframe_weight = 1.2;
   double nearest = 2.5;             // m; bounds the search; chosen, not tuned
-  double marginal_weight = 0.25;    // as DSO; compared on 06, raw 0001, town 07
   double largest_adjustment = 0.5;  // m; chosen, not tuned
   double offset_sigma = 1;          // px; as rigs are off (docs/report/odometry.md)
   double column_sigma = 0.3;        // px; chosen on the town, docs/report/odometry.md
@@ -35,9 +33,6 @@ struct Parameters {
         parameter<P, int>("points", &P::points)
             .range(100, 10000)
             .doc("Number of points in the window: more are more accurate and slower."),
-        parameter<P, int>("candidates", &P::candidates)
-            .range(100, 20000)
-            .doc("Number of candidate points that are selected in a keyframe."),
         parameter<P, int>("window", &P::window)
             .range(3, 7)
             .unit("keyframes")
@@ -48,9 +43,6 @@ struct Parameters {
         parameter<P, double>("keyframe_weight", &P::keyframe_weight)
             .range(0.1, 10)
             .doc("Weight of image motion in the decision for a keyframe; larger: more keyframes."),
-        parameter<P, double>("marginal_weight", &P::marginal_weight)
-            .range(0, 1)
-            .doc("Weight of marginalised points in the prior."),
         parameter<P, double>("largest_adjustment", &P::largest_adjustment)
             .range(0, 1000)
             .unit("m")
@@ -104,7 +96,6 @@ struct Parameters {
 struct MonoParameters : Parameters {
   constexpr MonoParameters() {
     points = 2000;
-    candidates = 1500;
     iterations = 8;
     keyframe_weight = 0.6;
   }

@@ -43,7 +43,7 @@ class CornerResponse {
 struct CornerSettings {
   int count = 500;         ///< approximate number of grid cells
   double quality = 0.003;  ///< smallest response relative to the strongest one
-  int border = 12;         ///< px without corners along each edge; chosen, not tuned
+  int border = 11;         ///< px without corners along each edge: half a patch and 4
 };
 
 /// The strongest Shi-Tomasi corner (smaller eigenvalue of the structure tensor) of each grid cell

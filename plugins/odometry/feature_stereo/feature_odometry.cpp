@@ -34,10 +34,6 @@ StereoPixel toStereoPixel(const cv::Point2f& pixel, float disparity, double offs
 
 Status FeatureOdometry::configure(const Context& context) {
   if (Status status = readParameters(context.parameters); !status.isOk()) return status;
-  if (parameters_.track_window % 2 == 0) {
-    return Status::invalidParameter("track_window is even; the patch needs a centre: give " +
-                                    std::to_string(parameters_.track_window + 1));
-  }
   rig_ = context.rig;
   if (Status status = requireCalibrated(rig_, needsPair()); !status.isOk()) return status;
   if (!needsPair()) rig_.baseline = kVirtualBaseline;
@@ -62,11 +58,10 @@ Status FeatureOdometry::readParameters(const ParameterValues& values) {
 
 void FeatureOdometry::useSettings() {
   const Parameters& p = parameters_;
-  corner_settings_ = {p.corners, p.corner_quality, p.track_window / 2 + 4};
-  track_settings_ = {p.track_window, p.track_levels, p.track_consistency};
-  stereo_settings_.track = {p.track_window, std::min(2, p.track_levels), p.stereo_consistency};
+  corner_settings_.count = p.corners;
+  stereo_settings_.track.levels = 2;  // guesses along rows are good
   stereo_settings_.max_disparity = rig_.pinhole.fx * rig_.baseline / p.nearest;
-  PixelNoise noise{p.sigma_track, p.sigma_disparity, p.sigma_doubling};
+  PixelNoise noise;
   double offset_sigma = p.offset_sigma;
   if (!needsPair()) {
     constexpr double kNever = 1e9;  // px of disparity: the noise does not grow with it
@@ -75,8 +70,9 @@ void FeatureOdometry::useSettings() {
     noise.doubling = kNever;
     offset_sigma = 0;
   }
-  pnp_settings_ = {noise, p.ransac_iterations, p.min_inliers};
-  refinement_settings_ = {noise, p.refinement_iterations, offset_sigma};
+  pnp_settings_.noise = noise;
+  refinement_settings_.noise = noise;
+  refinement_settings_.offset_sigma = offset_sigma;
 }
 
 Status FeatureOdometry::reset() {
@@ -267,8 +263,9 @@ bool FeatureOdometry::wantsKeyframe() const {
   }
   const auto middle = flows.begin() + static_cast<std::ptrdiff_t>(flows.size() / 2);
   std::nth_element(flows.begin(), middle, flows.end());
+  constexpr double kSurvival = 0.75;  // share of corners below which new ones are due; chosen
   return *middle >= parameters_.keyframe_flow ||
-         double(tracks_.size()) < parameters_.keyframe_survival * double(keyframe_tracks_);
+         double(tracks_.size()) < kSurvival * double(keyframe_tracks_);
 }
 
 Eigen::Isometry3d FeatureOdometry::makeKeyframe(const Keyframe& keyframe,
@@ -347,7 +344,7 @@ void FeatureOdometry::answerPredicted(Motion& motion) {
 
 void FeatureOdometry::restart(const Views& views, Motion& motion) {
   const std::vector<StereoCorner> candidates = findCandidates(views, {});
-  if (static_cast<int>(candidates.size()) < parameters_.min_inliers) return;
+  if (static_cast<int>(candidates.size()) < pnp_settings_.min_inliers) return;
   const Keyframe keyframe{motion.frame,
                           history_.empty() ? Eigen::Isometry3d::Identity() : history_.lastPose()};
   window_.clear();

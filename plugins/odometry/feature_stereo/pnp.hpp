@@ -13,8 +13,8 @@ namespace tolman::feature_stereo {
 
 struct PnpSettings {
   PixelNoise noise;
-  int iterations = 100;  ///< most samples
-  int min_inliers = 20;
+  int iterations = 100;  ///< most samples; bounds the time
+  int min_inliers = 20;  ///< with fewer, tracking is lost; chosen, not tuned
 };
 
 /// A point and its pixel in the image whose pose is estimated.

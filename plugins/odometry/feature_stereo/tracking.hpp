@@ -51,7 +51,7 @@ class FlowPyramid {
 // check.
 
 struct TrackSettings {
-  int window = 15;           ///< px, side of the patch
+  int window = 15;           ///< px, side of the patch; odd
   int levels = 3;            ///< of the pyramid
   double consistency = 0.7;  ///< px, largest forward-backward error
 };

@@ -12,11 +12,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-Status checkRegion(const char* name, const Region& region) {
-  if (region.x_min < region.x_max && region.y_min < region.y_max) return Status::ok();
-  const std::string n = name;
-  return Status::invalidParameter("the part for " + n + " is empty: " + n + "_x_min and " + n +
-                                  "_y_min must be less than " + n + "_x_max and " + n + "_y_max");
+Result<Region> regionOf(const std::string& name, const std::vector<double>& edges) {
+  if (edges.size() == 4 && edges[0] < edges[1] && edges[2] < edges[3]) {
+    return Region{edges[0], edges[1], edges[2], edges[3]};
+  }
+  return Status::invalidParameter(name +
+                                  " is empty: give [left, right, upper, lower] with left < right "
+                                  "and upper < lower");
 }
 
 /// Motion along an arc of length `distance` with the turn `turn` (rad).
@@ -42,15 +44,15 @@ Status Scanline::configure(const Context& context) {
   parameters_ = bound.value();
   rig_ = context.rig;
   const Parameters& p = parameters_;
-  const Region turn = {p.turn_x_min, p.turn_x_max, p.turn_y_min, p.turn_y_max};
-  const Region speed = {p.speed_x_min, p.speed_x_max, p.speed_y_min, p.speed_y_max};
-  if (Status status = checkRegion("turn", turn); !status.isOk()) return status;
-  if (Status status = checkRegion("speed", speed); !status.isOk()) return status;
+  const Result<Region> turn = regionOf("turn_region", p.turn_region);
+  if (!turn.isOk()) return turn.status();
+  const Result<Region> speed = regionOf("speed_region", p.speed_region);
+  if (!speed.isOk()) return speed.status();
   if (rig_.width == 0) {
     return Status::unsupported("the source has no images; use a source with a camera");
   }
-  turn_maker_.emplace(rig_, turn, p.field_of_view * kDegree);
-  speed_maker_.emplace(rig_, speed, p.field_of_view * kDegree);
+  turn_maker_.emplace(rig_, turn.value(), p.field_of_view * kDegree);
+  speed_maker_.emplace(rig_, speed.value(), p.field_of_view * kDegree);
   constexpr int kMinColumns = 8;  // chosen, not tuned
   if (std::min(turn_maker_->samples(), speed_maker_->samples()) < kMinColumns) {
     return Status::invalidParameter("a part of the image has fewer than 8 columns; make it wider");
@@ -70,7 +72,8 @@ Status Scanline::reset() {
 std::optional<Scanline::Scan> Scanline::scan(const Image& image) const {
   if (image.empty()) return std::nullopt;
   Scan made = {turn_maker_->make(image), speed_maker_->make(image)};
-  if (contrastOf(made.turn) < parameters_.weakest_contrast) return std::nullopt;
+  constexpr double kWeakestContrast = 0.01;  // grey levels of 0 to 1, deviation; chosen, not tuned
+  if (contrastOf(made.turn) < kWeakestContrast) return std::nullopt;
   return made;
 }
 
@@ -124,7 +127,8 @@ void Scanline::answerMeasured(const Scan& now, Motion& motion) {
   motion.state = TrackingState::Tracking;
   // While lost, predicted motions were reported; this frame gets the rest of the measured motion.
   motion.T_previous_current = fromPlanar(between(predicted_, since_reference));
-  const double doubt = std::hypot(p.sigma_turn * kDegree, 0.5 * turned.uncertainty * step);
+  constexpr double kSigmaTurn = 0.3 * kDegree;  // of the sharpest minimum; chosen, not tuned
+  const double doubt = std::hypot(kSigmaTurn, 0.5 * turned.uncertainty * step);
   const double least = p.still * p.metres_per_difference;
   motion.covariance = covarianceOf(std::max(p.sigma_distance * distance, least), doubt);
   motion.tracked = turned.compared;

@@ -10,11 +10,11 @@
 
 namespace tolman::seqslam {
 
-/// The defaults are those of the parameters; seqslam.hpp has their sources.
+/// Speeds as published, their step chosen.
 struct LineSettings {
   int images = 10;       ///< length of a line
   double slowest = 0.8;  ///< stored views for each image
-  double fastest = 1.2;
+  double fastest = 1.2;  ///< at least slowest
   double speed_step = 0.1;
   int same_place = 5;  ///< views at most so far from the best one are not rivals
 };

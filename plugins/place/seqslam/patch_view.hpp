@@ -14,7 +14,7 @@ namespace tolman::seqslam {
 struct ViewSettings {
   int columns = 64;  ///< px
   int rows = 32;
-  int patch = 8;
+  int patch = 8;  ///< px, as published
 };
 
 /// Pixels are in units of 1 / kUnit standard deviations, row by row, clipped at 127. A pixel of a

@@ -12,6 +12,9 @@
 namespace tolman::seqslam {
 namespace {
 
+/// R_window: views around a view by whose differences its own is normalised; as published.
+constexpr int kContrastWindow = 10;
+
 constexpr std::string_view kMagic = "TLMSEQSL";
 constexpr std::uint64_t kStateVersion = 1;
 constexpr std::int64_t kMaxImages = std::int64_t{1} << 40;  // a larger number is damage
@@ -25,15 +28,12 @@ Status SeqSlam::configure(const Context& context) {
     context.log.warning("the source has no images, so no place will be recognised");
   }
   parameters_ = std::move(bound).value();
-  if (parameters_.fastest < parameters_.slowest) {
-    return Status::invalidParameter("fastest must be at least slowest");
-  }
   return reset();
 }
 
 Status SeqSlam::reset() {
   const Parameters& p = parameters_;
-  search_.emplace(LineSettings{p.sequence, p.slowest, p.fastest, p.speed_step, p.same_place});
+  search_.emplace(LineSettings{.images = p.sequence, .same_place = p.same_place});
   images_ = 0;
   views_.clear();
   image_of_view_.clear();
@@ -47,7 +47,7 @@ Status SeqSlam::observe(const Frame& frame, const Motion* /*motion*/,
   observation.stamp_ns = frame.stamp_ns;
   if (frame.left.empty()) return Status::ok();
   const PatchView view =
-      patchView(frame.left, {parameters_.columns, parameters_.rows, parameters_.patch});
+      patchView(frame.left, {.columns = parameters_.columns, .rows = parameters_.rows});
   if (std::ranges::count(view, 0) == std::ssize(view)) return Status::ok();
   compare(view);
   const auto best = search_->best(columns_, candidates());
@@ -71,7 +71,7 @@ void SeqSlam::compare(const PatchView& view) {
   for (std::size_t at = 0; at < views_.size(); at += viewSize()) {
     differences.push_back(differenceOf(view, std::span(views_).subspan(at, viewSize())));
   }
-  columns_.push_back(enhancedContrast(differences, parameters_.contrast_window));
+  columns_.push_back(enhancedContrast(differences, kContrastWindow));
   if (columns_.size() > static_cast<std::size_t>(parameters_.sequence)) columns_.pop_front();
 }
 
@@ -85,7 +85,7 @@ std::int64_t SeqSlam::candidates() const {
 /// possible value is subtracted first.
 double SeqSlam::quotientOf(const std::optional<BestLine>& best) const {
   if (!best) return 1;
-  const double least = -std::sqrt(static_cast<double>(parameters_.contrast_window));
+  const double least = -std::sqrt(static_cast<double>(kContrastWindow));
   const double rival = best->rival - least;
   return rival > 0 ? std::clamp((best->score - least) / rival, 0.0, 1.0) : 1;
 }
@@ -93,8 +93,8 @@ double SeqSlam::quotientOf(const std::optional<BestLine>& best) const {
 /// The parameters that the stored state depends on.
 std::vector<double> SeqSlam::storedParameters() const {
   const Parameters& p = parameters_;
-  return {static_cast<double>(p.columns), static_cast<double>(p.rows), static_cast<double>(p.patch),
-          static_cast<double>(p.contrast_window), static_cast<double>(p.sequence)};
+  return {static_cast<double>(p.columns), static_cast<double>(p.rows),
+          static_cast<double>(p.sequence)};
 }
 
 Status SeqSlam::save(std::ostream& stream) const {
@@ -120,8 +120,7 @@ Status SeqSlam::load(std::istream& stream) {
   std::vector<double> saved(storedParameters().size());
   reader.getAll<double>(saved);
   if (saved != storedParameters()) {
-    return Status::invalidInput(
-        "the saved views were made with other columns, rows, patch, contrast_window or sequence");
+    return Status::invalidInput("the saved views were made with other columns, rows or sequence");
   }
   const bool sound = loadViews(reader) && loadColumns(reader);
   if (!sound || !reader.complete()) {

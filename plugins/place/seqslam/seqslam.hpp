@@ -24,15 +24,10 @@ class SeqSlam final : public Place, public StateKeeper {
   struct Parameters {
     int columns = 64;
     int rows = 32;
-    int patch = 8;
-    int contrast_window = 10;  // views; no source noted
     int sequence = 10;
-    double slowest = 0.8;
-    double fastest = 1.2;
-    double speed_step = 0.1;  // chosen, not tuned
-    int same_place = 5;       // views; chosen, not tuned
-    int recent = 20;          // images; chosen, not tuned
-    double quotient = 0.7;    // chosen, not tuned; README.md
+    int same_place = 5;     // views; chosen, not tuned
+    int recent = 20;        // images; chosen, not tuned
+    double quotient = 0.7;  // chosen, not tuned; README.md
 
     static constexpr auto declaration() {
       using P = Parameters;
@@ -45,30 +40,10 @@ class SeqSlam final : public Place, public StateKeeper {
               .range(1, 1024)
               .unit("px")
               .doc("Height that images are reduced to."),
-          parameter("patch", &P::patch)
-              .range(2, 128)
-              .unit("px")
-              .doc("Side of the squares that are brought to mean 0 and standard deviation 1; those "
-                   "at the "
-                   "right and lower edge may be smaller."),
-          parameter("contrast_window", &P::contrast_window)
-              .range(2, 1000)
-              .unit("views")
-              .doc("R_window: number of views around a view, by whose differences its own is "
-                   "normalised."),
           parameter("sequence", &P::sequence)
               .range(2, 1000)
               .unit("images")
               .doc("d_s: length of the sequence that is searched for."),
-          parameter("slowest", &P::slowest)
-              .range(0, 10)
-              .doc("V_min: least speed against that of the stored pass, views for each image."),
-          parameter("fastest", &P::fastest)
-              .range(0, 10)
-              .doc("V_max: greatest speed, at least slowest."),
-          parameter("speed_step", &P::speed_step)
-              .range(0.01, 10)
-              .doc("Step between the speeds that are tried."),
           parameter("same_place", &P::same_place)
               .range(0, 1000)
               .unit("views")

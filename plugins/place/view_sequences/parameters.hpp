@@ -16,9 +16,7 @@ struct Parameters {
   int exhaustive = 4000;        // views; bounds the time
   double field_of_view = 81.6;  // deg; KITTI's
   int landmarks = 0;
-  int landmarks_agreeing = 20;
   int landmark_spacing = 4;
-  double probability_verified = 0.01;  // town 06, 07
   bool backwards = false;
   double probability_backwards = 0.999;  // town 00: one false place has 0.9989
 
@@ -52,20 +50,13 @@ struct Parameters {
             .doc("Horizontal field of view, for cameras without calibration."),
         parameter("landmarks", &P::landmarks)
             .range(0, 5000)
-            .doc("Corners of a stereo pair that views keep to verify places and measure poses; 0 "
-                 "turns this off."),
-        parameter("landmarks_agreeing", &P::landmarks_agreeing)
-            .range(6, 1000)
-            .doc("Fewest landmarks that must agree on a pose."),
+            .doc("Corners of a stereo pair that views keep to verify places and measure poses, "
+                 "on which one in 25, 6 to 20, must agree; 0 turns this off."),
         parameter("landmark_spacing", &P::landmark_spacing)
             .range(1, 1000)
             .unit("steps")
             .doc("Number of steps from one stored view with landmarks to the next, and from one "
                  "measured pose of a familiar place to the next, in either direction."),
-        parameter("probability_verified", &P::probability_verified)
-            .range(0.001, 0.999999)
-            .doc("Smallest probability of a place that is tried with landmarks; the best five at "
-                 "most."),
         parameter("backwards", &P::backwards)
             .doc("Also recognise streets that are driven in the opposite direction, by the "
                  "structure that a stereo pair measures."),

@@ -13,6 +13,9 @@ namespace tolman::view_sequences {
 namespace {
 
 constexpr std::string_view kMagic = "TLMVSEQS";
+// Least probability of a place that is tried with landmarks; chosen on the town along KITTI 06, 07.
+constexpr double kTried = 0.01;
+
 constexpr const char* kVersions = " (version 4: saved with `backwards`, 3: without)";
 constexpr std::uint64_t versionOfState(bool backwards) { return backwards ? 4 : 3; }
 
@@ -73,7 +76,8 @@ Status ViewSequences::reset() {
   steps_ = std::make_unique<PathSteps>(p.spacing, p.recent);
   search_ = std::make_unique<PlaceSearch>(settings);
   verifier_ = std::make_unique<PlaceVerifier>(
-      rig_, VerifierSettings{p.landmarks, p.landmarks_agreeing, p.landmark_spacing});
+      rig_,
+      VerifierSettings{p.landmarks, landmarks::leastAgreeing(p.landmarks), p.landmark_spacing});
   backwards_ = std::make_unique<BackwardPlaces>(rig_, p.backwards, settings);
   mean_ = MeanView();
   current_ = PackedView{};
@@ -130,7 +134,7 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
       search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMaxPlaces : 1);
   const double probability = found.empty() ? 0 : found.front().probability;
   observation.score = 1 - probability;
-  const bool likely = probability >= parameters_.probability_verified;
+  const bool likely = probability >= kTried;
   if (likely && since_measured_ < parameters_.landmark_spacing) return Status::ok();
   const auto place = verified(found);
   if (!place.isOk()) return place.status();
@@ -166,7 +170,7 @@ Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verifiedBy(
   constexpr double kSure = 0.9;  // chosen, not tuned
   std::optional<VerifiedView> best;
   for (const PlaceCandidate& candidate : candidates) {
-    if (candidate.probability < parameters_.probability_verified) break;
+    if (candidate.probability < kTried) break;
     const auto view = verifier_->viewNear(candidate.view);
     if (!view) continue;
     auto pose = ((*verifier_).*locate)(*view);

@@ -83,7 +83,7 @@ Moments momentsOfWindow(const std::vector<float>& source, int columns, int colum
 
 }  // namespace
 
-void normalisePatches(int columns, int radius, double minimum_std, const std::vector<float>& source,
+void normalisePatches(int columns, int radius, const std::vector<float>& source,
                       std::vector<float>& cells) {
   // A smaller deviation is the rounding error of a window of equal cells.
   constexpr double kFlat = 1e-6;
@@ -91,7 +91,7 @@ void normalisePatches(int columns, int radius, double minimum_std, const std::ve
   for (std::size_t i = 0; i < source.size(); ++i) {
     const int at = static_cast<int>(i);
     const Moments window = momentsOfWindow(source, columns, at % columns, at / columns, radius);
-    const bool flat = window.deviation < std::max(minimum_std, kFlat);
+    const bool flat = window.deviation < kFlat;
     const double z = flat ? 0 : (source[i] - window.mean) / window.deviation;
     cells[i] = static_cast<float>(std::clamp((z + 3) / 6, 0.0, 1.0));
   }
@@ -142,7 +142,7 @@ void ViewMaker::makeGrey(const Image& image, const Crop& crop, LocalView& view) 
   if (s.normalisation > 0) normaliseMean(s.normalisation, view.cells);
   if (s.patch_radius > 0) {
     scratch_.swap(view.cells);
-    normalisePatches(s.columns, s.patch_radius, s.patch_minimum_std, scratch_, view.cells);
+    normalisePatches(s.columns, s.patch_radius, scratch_, view.cells);
   }
   view.cell_width_px = width;
 }

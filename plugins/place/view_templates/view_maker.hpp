@@ -41,7 +41,6 @@ struct LocalViewSettings {
   double crop_y_max = 1;
   double normalisation = 0;        ///< mean that each view is scaled to; 0: off
   int patch_radius = 0;            ///< cells; 0: no patch normalisation
-  double patch_minimum_std = 0;    ///< patches of a smaller deviation become 0.5
   CellKind kind = CellKind::Grey;  ///< the normalisations are only for Grey
 };
 
@@ -71,8 +70,8 @@ void averageBlocks(const Image& image, int x0, int y0, int block_width, int bloc
 void normaliseMean(double target, std::vector<float>& cells);
 
 /// v' = clamp(((v - mean) / std + 3) / 6, 0, 1) over windows of (2 radius + 1)^2 cells. Outside of
-/// the view the cells of the border are repeated.
-void normalisePatches(int columns, int radius, double minimum_std, const std::vector<float>& source,
+/// the view the cells of the border are repeated. Flat windows become 0.5.
+void normalisePatches(int columns, int radius, const std::vector<float>& source,
                       std::vector<float>& cells);
 
 }  // namespace tolman::view_templates

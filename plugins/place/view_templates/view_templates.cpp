@@ -14,17 +14,17 @@ namespace tolman::view_templates {
 namespace {
 
 constexpr std::string_view kMagic = "TLMVIEWS";
-constexpr std::uint64_t kStateVersion = 2;
+constexpr std::uint64_t kStateVersion = 3;
 
 LocalViewSettings viewSettings(const ViewTemplates::Parameters& p) {
-  return {p.columns,    p.rows,          p.crop_x_min,   p.crop_x_max,        p.crop_y_min,
-          p.crop_y_max, p.normalisation, p.patch_radius, p.patch_minimum_std, p.cells};
+  return {p.columns, p.rows,          p.crop[0],      p.crop[1], p.crop[2],
+          p.crop[3], p.normalisation, p.patch_radius, p.cells};
 }
 
 Status check(const ViewTemplates::Parameters& p) {
-  if (p.crop_x_min >= p.crop_x_max || p.crop_y_min >= p.crop_y_max) {
+  if (p.crop.size() != 4 || p.crop[0] >= p.crop[1] || p.crop[2] >= p.crop[3]) {
     return Status::invalidParameter(
-        "the crop is empty: crop_x_min and crop_y_min must be less than crop_x_max and crop_y_max");
+        "the crop is empty: give [left, right, upper, lower] with left < right and upper < lower");
   }
   if (!p.panoramic && 2 * p.shift >= p.columns) {
     return Status::invalidParameter(
@@ -68,7 +68,8 @@ Status ViewTemplates::reset() {
   bank_ = std::make_unique<TemplateBank>(p.columns, storedRows());
   landmarks_.reset();
   if (p.landmarks > 0) {
-    landmarks_ = std::make_unique<LandmarkMemory>(rig_, p.landmarks, p.landmarks_agreeing);
+    landmarks_ =
+        std::make_unique<LandmarkMemory>(rig_, p.landmarks, landmarks::leastAgreeing(p.landmarks));
   }
   view_ = LocalView{};
   last_template_ = -1;
@@ -139,13 +140,12 @@ std::vector<double> ViewTemplates::templateParameters() const {
   const Parameters& p = parameters_;
   return {static_cast<double>(p.columns),
           static_cast<double>(p.rows),
-          p.crop_x_min,
-          p.crop_x_max,
-          p.crop_y_min,
-          p.crop_y_max,
+          p.crop[0],
+          p.crop[1],
+          p.crop[2],
+          p.crop[3],
           p.normalisation,
           static_cast<double>(p.patch_radius),
-          p.patch_minimum_std,
           static_cast<double>(p.cells),
           static_cast<double>(p.landmarks)};
 }

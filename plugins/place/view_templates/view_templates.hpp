@@ -27,21 +27,16 @@ class ViewTemplates final : public Place,
     int rows = 10;
     CellKind cells = CellKind::Grey;
     // 100-1150 and 50-300 px of KITTI's 1241x376 images, as fractions: any image size works.
-    double crop_x_min = 100.0 / 1241;
-    double crop_x_max = 1150.0 / 1241;
-    double crop_y_min = 50.0 / 376;
-    double crop_y_max = 300.0 / 376;
+    std::vector<double> crop = {100.0 / 1241, 1150.0 / 1241, 50.0 / 376, 300.0 / 376};
     double threshold = 0.085;
     int shift = 5;
     int step = 1;
     int vertical_shift = 0;
     double normalisation = 0.4;
     int patch_radius = 0;
-    double patch_minimum_std = 0;
     bool panoramic = false;
     double field_of_view = 81.6;  // deg; KITTI's
     int landmarks = 0;
-    int landmarks_agreeing = 20;  // chosen, not tuned
 
     static constexpr auto declaration() {
       using P = Parameters;
@@ -51,18 +46,10 @@ class ViewTemplates final : public Place,
           parameter("cells", &P::cells)
               .doc("Content of a cell: grey (mean grey level) or gradients (strength of edges in 8 "
                    "directions)."),
-          parameter("crop_x_min", &P::crop_x_min)
+          parameter("crop", &P::crop)
               .range(0, 1)
-              .doc("Left edge of the part of the image that is used, as a fraction of its width."),
-          parameter("crop_x_max", &P::crop_x_max)
-              .range(0, 1)
-              .doc("Right edge, as a fraction of the width; 1 is the full image."),
-          parameter("crop_y_min", &P::crop_y_min)
-              .range(0, 1)
-              .doc("Upper edge, as a fraction of the height."),
-          parameter("crop_y_max", &P::crop_y_max)
-              .range(0, 1)
-              .doc("Lower edge, as a fraction of the height; 1 is the full image."),
+              .doc("[left, right, upper, lower] edge of the part of the image that is used, as "
+                   "fractions of width and height; [0, 1, 0, 1] is the full image."),
           parameter("threshold", &P::threshold)
               .range(0, 1)
               .doc("Largest mean absolute difference between a view and its template."),
@@ -85,9 +72,6 @@ class ViewTemplates final : public Place,
               .range(0, 32)
               .unit("cells")
               .doc("Half width of the windows of patch normalisation; 0 turns it off."),
-          parameter("patch_minimum_std", &P::patch_minimum_std)
-              .range(0, 1)
-              .doc("Windows with less contrast than this become 0.5."),
           parameter("panoramic", &P::panoramic)
               .doc("The images cover 360 degrees: all cyclic shifts are tried."),
           parameter("field_of_view", &P::field_of_view)
@@ -97,12 +81,9 @@ class ViewTemplates final : public Place,
           parameter("landmarks", &P::landmarks)
               .range(0, 5000)
               .doc("Corners of a stereo pair that a template keeps to verify matches and measure "
-                   "poses; 0 "
-                   "turns this off."),
-          parameter("landmarks_agreeing", &P::landmarks_agreeing)
-              .range(6, 1000)
-              .doc("Fewest landmarks that must agree on a pose; with fewer, the view is novel. "
-                   "Templates with fewer landmarks are matched by appearance alone."));
+                   "poses, on which one in 25, 6 to 20, must agree; 0 turns this off. Templates "
+                   "with too few "
+                   "corners are matched by appearance alone."));
     }
   };
 

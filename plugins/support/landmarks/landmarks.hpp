@@ -3,6 +3,7 @@
 // template) and their ORB descriptor (Rublee et al. 2011).
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct Landmarks {
   std::vector<cv::Point3f> points;
   cv::Mat descriptions;  ///< as those of Corners
 };
+
+/// Fewest landmarks that must agree on a pose, of views that keep at most `corners`: one in 25, as
+/// 20 of 500, where a false pose was never seen; at least 6, since any three give a pose.
+constexpr int leastAgreeing(int corners) { return std::clamp(corners / 25, 6, 20); }
 
 /// Shares the pixels of a grey image; converts a colour one.
 cv::Mat grayOf(const Image& image);

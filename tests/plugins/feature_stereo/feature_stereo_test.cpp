@@ -255,9 +255,3 @@ TEST_CASE("cameras that are no stereo pair are refused, with the remedy") {
     CHECK_THAT(status.message(), Contains("480x200 pixels, its calibration 640x200"));
   }
 }
-
-TEST_CASE("an even patch is refused") {
-  const Host host(test::streetRig(), {{"track_window", std::int64_t{16}}});
-  CHECK(host.configured().code() == StatusCode::InvalidParameter);
-  CHECK_THAT(host.configured().message(), Contains("give 17"));
-}

@@ -50,8 +50,7 @@ inline Image view(const CameraRig& rig, double yaw, double field_of_view = 1.0, 
 
 /// Wide regions: the panorama is the same in every row.
 inline ParameterValues whole(ParameterValues more = {}) {
-  more.try_emplace("turn_x_min", 0.0);
-  more.try_emplace("turn_x_max", 1.0);
+  more.try_emplace("turn_region", std::vector<double>{0, 1, 0.2, 0.5});
   return more;
 }
 

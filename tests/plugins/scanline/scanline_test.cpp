@@ -153,10 +153,11 @@ TEST_CASE("what cannot work is refused with the remedy") {
   const auto refusal = [](const CameraRig& rig, const ParameterValues& values) {
     return Host(rig, values).configured().message();
   };
-  CHECK(refusal(unknownRig(), {{"turn_x_min", 0.8}}) ==
-        "the part for turn is empty: turn_x_min and turn_y_min must be less than turn_x_max and "
-        "turn_y_max");
-  CHECK(refusal(unknownRig(), {{"speed_y_max", 0.5}}).rfind("the part for speed is empty", 0) == 0);
+  CHECK(
+      refusal(unknownRig(), {{"turn_region", std::vector{0.8, 0.7, 0.2, 0.5}}}) ==
+      "turn_region is empty: give [left, right, upper, lower] with left < right and upper < lower");
+  CHECK(refusal(unknownRig(), {{"speed_region", std::vector{0.0, 1.0, 0.5}}})
+            .rfind("speed_region is empty", 0) == 0);
   CHECK(refusal({}, {}) == "the source has no images; use a source with a camera");
   CHECK(refusal(unknownRig(16, 16), {}) ==
         "a part of the image has fewer than 8 columns; make it wider");

@@ -80,10 +80,10 @@ TEST_CASE("states of other parameters are refused; those that only decide may di
   for (const char* name : {"columns", "rows"}) {
     Walk other(small({{name, std::int64_t{32}}}));
     CHECK(other.load(state).message() ==
-          "the saved views were made with other columns, rows, patch, contrast_window or sequence");
+          "the saved views were made with other columns, rows or sequence");
     CHECK(other.see(placePicture(0)).template_id == 0);
   }
-  Walk decides(small({{"quotient", 1.0}, {"recent", std::int64_t{0}}, {"fastest", 2.0}}));
+  Walk decides(small({{"quotient", 1.0}, {"recent", std::int64_t{0}}}));
   CHECK(decides.load(state).isOk());
 }
 

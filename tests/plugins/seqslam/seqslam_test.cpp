@@ -79,13 +79,3 @@ TEST_CASE("missing, blank and dark images are no view and do not break a sequenc
   }
   CHECK(right >= 20);
 }
-
-TEST_CASE("parameters that cannot work are refused with the reason") {
-  const auto message = [](ParameterValues values) {
-    tolman::test::TestContext services(std::move(values));
-    return SeqSlam().configure(services).message();
-  };
-  CHECK(message({}).empty());
-  CHECK(message({{"slowest", 1.3}}) == "fastest must be at least slowest");
-  CHECK(message({{"slowest", 1.0}, {"fastest", 1.0}}).empty());
-}

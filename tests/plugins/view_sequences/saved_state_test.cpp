@@ -49,10 +49,7 @@ PlaceObservation frameOf(Tour& tour, int i) {
 
 CameraRig rig() { return tolman::test::streetRig(); }
 
-ParameterValues withLandmarks() {
-  return {
-      {"spacing", 0.5}, {"landmarks", std::int64_t{300}}, {"landmarks_agreeing", std::int64_t{12}}};
-}
+ParameterValues withLandmarks() { return {{"spacing", 0.5}, {"landmarks", std::int64_t{300}}}; }
 
 /// The street at `z` m, rendered once.
 const Frame& streetAt(double z) {
@@ -149,7 +146,6 @@ TEST_CASE("states of other parameters are refused with the reason") {
   ParameterValues parameters = withLandmarks();  // these only decide about answers
   parameters["probability"] = 0.5;
   parameters["exhaustive"] = std::int64_t{0};
-  parameters["probability_verified"] = 0.5;
   Tour other(parameters, rig());
   CHECK(other.load(state).isOk());
 }

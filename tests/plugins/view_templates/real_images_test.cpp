@@ -73,8 +73,7 @@ struct Score {
 
 Score scoreOf(const std::vector<Image>& images, const Pairs& truth, ParameterValues parameters) {
   ViewTemplates plugin;
-  for (const char* edge : {"crop_x_min", "crop_y_min"}) parameters.try_emplace(edge, 0.0);
-  for (const char* edge : {"crop_x_max", "crop_y_max"}) parameters.try_emplace(edge, 1.0);
+  parameters.try_emplace("crop", std::vector<double>{0, 1, 0, 1});
   REQUIRE(configure(plugin, parameters).isOk());
   std::set<std::int64_t> queries;
   for (const auto& pair : truth) queries.insert(pair.first);

@@ -24,8 +24,7 @@ struct Street {
       : services({{"columns", std::int64_t{24}},
                   {"rows", std::int64_t{6}},
                   {"threshold", 0.03},
-                  {"landmarks", std::int64_t{60}},
-                  {"landmarks_agreeing", std::int64_t{8}}}) {
+                  {"landmarks", std::int64_t{60}}}) {
     services.rig = tolman::test::streetRig();
     const Status status = plugin.configure(services);
     INFO(status.message());

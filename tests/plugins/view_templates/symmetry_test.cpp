@@ -16,8 +16,9 @@ constexpr int kViewHeight = 64;
 
 /// The whole image, in cells of whole pixels, so that none is left over at one side.
 ParameterValues whole() {
-  return {{"crop_x_min", 0.0}, {"crop_x_max", 1.0},           {"crop_y_min", 0.0},
-          {"crop_y_max", 1.0}, {"columns", std::int64_t{40}}, {"rows", std::int64_t{8}}};
+  return {{"crop", std::vector<double>{0, 1, 0, 1}},
+          {"columns", std::int64_t{40}},
+          {"rows", std::int64_t{8}}};
 }
 
 Image mirrored(const Image& image) {

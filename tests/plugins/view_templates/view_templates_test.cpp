@@ -26,8 +26,7 @@ ParameterValues plain() {
   return {{"normalisation", 0.0},
           {"threshold", 0.05},
           {"columns", std::int64_t{40}},
-          {"crop_x_min", 0.0},
-          {"crop_x_max", 1.0}};
+          {"crop", std::vector<double>{0, 1, 50.0 / 376, 300.0 / 376}}};
 }
 
 }  // namespace
@@ -105,8 +104,8 @@ TEST_CASE("bad parameters are refused with the remedy") {
   ViewTemplates plugin;
   CHECK(configure(plugin, {{"shift", std::int64_t{30}}}).message() ==
         "a shift of 30 cells to both sides leaves none of 60 columns to compare; lower `shift`");
-  CHECK(configure(plugin, {{"crop_x_min", 0.95}}).message() ==
-        "the crop is empty: crop_x_min and crop_y_min must be less than crop_x_max and crop_y_max");
+  CHECK(configure(plugin, {{"crop", std::vector{0.95, 0.9, 0.0, 1.0}}}).message() ==
+        "the crop is empty: give [left, right, upper, lower] with left < right and upper < lower");
 }
 
 TEST_CASE("a rig whose images are too small is refused before the first frame") {

@@ -51,8 +51,9 @@ TEST_CASE("a panorama turns all the way round") {
       return std::lround(panorama(azimuth, 0.005 * (50 - y)));
     });
   };
-  const ParameterValues parameters = {
-      {"panoramic", true}, {"crop_x_min", 0.0}, {"crop_x_max", 1.0}, {"threshold", 0.1}};
+  const ParameterValues parameters = {{"panoramic", true},
+                                      {"crop", std::vector<double>{0, 1, 50.0 / 376, 300.0 / 376}},
+                                      {"threshold", 0.1}};
   const double yaw = GENERATE(-3.0, -1.5, 0.0, 0.31, 2.2, 3.1);
   const PlaceObservation seen = afterTurn(parameters, cylinder(0.4), cylinder(0.4 + yaw));
   CHECK(seen.recognition == Recognition::Familiar);
