@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "camera_device.hpp"
-
+// A camera read by OpenCV's V4L2 capture.
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 
+#include "capture.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::video {
@@ -13,16 +14,25 @@ std::string pixels(PictureSize size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
 }
 
-}  // namespace
+class CameraDevice final : public Capture {
+ public:
+  CameraDevice(std::filesystem::path path, bool colour, const Clock& clock)
+      : path_(std::move(path)), colour_(colour), clock_(clock) {}
+  Status start(const CameraRequest& request);
 
-Result<std::unique_ptr<CameraDevice>> CameraDevice::open(const std::filesystem::path& path,
-                                                         const CameraRequest& request, bool colour,
-                                                         const Clock& clock) {
-  std::unique_ptr<CameraDevice> camera(new CameraDevice(path, colour, clock));
-  const Status status = camera->start(request);
-  if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
-  return camera;
-}
+  PictureSize size() const override { return size_; }
+  std::string description() const override {
+    return "camera " + path_.string() + ", " + pixels(size_);
+  }
+  Status next(bool wanted, Picture& picture) override;
+
+ private:
+  std::filesystem::path path_;
+  bool colour_;
+  const Clock& clock_;
+  cv::VideoCapture capture_;
+  PictureSize size_;
+};
 
 Status CameraDevice::start(const CameraRequest& request) {
   if (!capture_.open(path_.string(), cv::CAP_V4L2)) {
@@ -41,10 +51,6 @@ Status CameraDevice::start(const CameraRequest& request) {
   return Status::invalidParameter("the camera gives " + pixels(size_) + " instead of " +
                                   pixels(request.size) +
                                   "; set width and height to a size that it has");
-}
-
-std::string CameraDevice::description() const {
-  return "camera " + path_.string() + ", " + pixels(size_);
 }
 
 Status CameraDevice::next(bool wanted, Picture& picture) {
@@ -67,6 +73,17 @@ Status CameraDevice::next(bool wanted, Picture& picture) {
   // A copy, because the next picture is decoded into the same memory.
   picture.image = asImage(pixels_read.clone());
   return Status::ok();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Capture>> openCamera(const std::filesystem::path& path,
+                                            const CameraRequest& request, bool colour,
+                                            const Clock& clock) {
+  auto camera = std::make_unique<CameraDevice>(path, colour, clock);
+  const Status status = camera->start(request);
+  if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
+  return std::unique_ptr<Capture>(std::move(camera));
 }
 
 }  // namespace tolman::video

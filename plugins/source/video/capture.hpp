@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures one after another, from a file, a pipe or a camera.
+// Pictures one after another, from a file, a pipe or a camera, and how to open them.
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <filesystem>
 #include <memory>
 #include <string>
 
+#include "tolman/context.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
 
@@ -39,6 +40,22 @@ class Capture {
   virtual std::string defectOfEnd() const { return {}; }
 };
 
-using OpenCapture = std::function<Result<std::unique_ptr<Capture>>()>;
+/// The first video stream of a file, or of `pipe`: an open one that must outlive the capture, or
+/// -1. InvalidInput with a remedy if it is not a video. A picture that is damaged, or not complete
+/// at the end of the file, has a `defect`. `cancellation` ends the wait for a pipe.
+Result<std::unique_ptr<Capture>> openVideo(const std::filesystem::path& path, int pipe, bool colour,
+                                           const Cancellation& cancellation);
+
+/// Requested settings of a camera; 0: its default.
+struct CameraRequest {
+  PictureSize size;  ///< px
+  double rate = 0;   ///< Hz
+};
+
+/// A camera, /dev/video0. Stamps are the driver's times of exposure, or those of arrival where it
+/// has none. No picture for 10 s is a failure.
+Result<std::unique_ptr<Capture>> openCamera(const std::filesystem::path& path,
+                                            const CameraRequest& request, bool colour,
+                                            const Clock& clock);
 
 }  // namespace tolman::video

@@ -57,27 +57,10 @@ Image part(const Image& picture, int x, int y, PictureSize size) {
 
 }  // namespace
 
-PictureConverter::PictureConverter(bool colour, source_parameters::UsedBits& bits,
-                                   int quarter_turns)
-    : colour_(colour), bits_(bits), quarter_turns_(quarter_turns) {}
-
 PictureConverter::~PictureConverter() { sws_freeContext(scaler_); }
-
-Image PictureConverter::narrowed(const AVFrame& picture) const {
-  cv::Mat grey(picture.height, picture.width, CV_8UC1);
-  for (int y = 0; y < picture.height; ++y) {
-    const auto* row = reinterpret_cast<const std::uint16_t*>(
-        picture.data[0] + std::ptrdiff_t{y} * picture.linesize[0]);
-    auto* narrow = grey.ptr<std::uint8_t>(y);
-    for (int x = 0; x < picture.width; ++x) narrow[x] = bits_.convert(row[x]);
-  }
-  if (colour_) cv::cvtColor(grey, grey, cv::COLOR_GRAY2BGR);
-  return asImage(grey);
-}
 
 Result<Image> PictureConverter::convert(const AVFrame& picture) {
   const auto format = static_cast<AVPixelFormat>(picture.format);
-  if (format == AV_PIX_FMT_GRAY16) return turned(narrowed(picture), quarter_turns_);
   const AVPixelFormat plain = plainFormat(format);
   scaler_ = sws_getCachedContext(scaler_, picture.width, picture.height, plain, picture.width,
                                  picture.height, colour_ ? AV_PIX_FMT_BGR24 : AV_PIX_FMT_GRAY8,

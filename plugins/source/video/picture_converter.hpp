@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "capture.hpp"
-#include "used_bits.hpp"
 
 struct AVFrame;
 struct SwsContext;
@@ -36,9 +35,9 @@ Image rightImage(const Image& picture, PictureLayout layout);
 /// Converts to Gray8 (luminance, black 0 and white 255) or Bgr8, and turns the picture clockwise.
 class PictureConverter {
  public:
-  /// `bits`: how grey pictures of 16 bits are converted; it must outlive this object.
   /// `quarter_turns`: 0 to 3, the display rotation that the file gives.
-  PictureConverter(bool colour, source_parameters::UsedBits& bits, int quarter_turns);
+  PictureConverter(bool colour, int quarter_turns)
+      : colour_(colour), quarter_turns_(quarter_turns) {}
   ~PictureConverter();
   PictureConverter(const PictureConverter&) = delete;
   PictureConverter& operator=(const PictureConverter&) = delete;
@@ -46,10 +45,7 @@ class PictureConverter {
   Result<Image> convert(const AVFrame& picture);
 
  private:
-  Image narrowed(const AVFrame& picture) const;
-
   bool colour_;
-  source_parameters::UsedBits& bits_;
   int quarter_turns_;
   SwsContext* scaler_ = nullptr;  ///< recreated by libswscale when size or format changes
 };

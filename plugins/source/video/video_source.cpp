@@ -3,17 +3,8 @@
 
 #include <cmath>
 
-#include "camera_device.hpp"
-#include "video_file.hpp"
-
 namespace tolman::video {
 namespace {
-
-template <class T>
-Result<std::unique_ptr<Capture>> asCapture(Result<std::unique_ptr<T>> opened) {
-  if (!opened.isOk()) return opened.status();
-  return std::unique_ptr<Capture>(std::move(opened).value());
-}
 
 /// Contradictions between parameters.
 Status checkCombination(const VideoParameters& p, PathKind kind) {
@@ -27,28 +18,15 @@ Status checkCombination(const VideoParameters& p, PathKind kind) {
   if (kind != PathKind::Device && (p.width > 0 || p.height > 0)) {
     return Status::invalidParameter("width and height are those of a camera; remove them");
   }
-  if (kind != PathKind::File && p.order != FrameOrder::Forward) {
-    return Status::invalidParameter(p.path + " can be read forward only; remove order");
+  if (p.order != FrameOrder::Forward) {
+    return Status::invalidParameter(p.path +
+                                    ": a video is read forward only; remove order, or make a "
+                                    "folder of images of it");
   }
   if (p.last >= 0 && p.last < p.first) {
-    return Status::invalidParameter(
-        "last is before first; for the reverse order use order: "
-        "backward");
+    return Status::invalidParameter("last is before first; give a larger last, or -1 for the end");
   }
   return Status::ok();
-}
-
-OpenCapture makeOpen(const VideoParameters& p, PathKind kind, int pipe,
-                     source_parameters::UsedBits& bits, const Context& context) {
-  if (kind == PathKind::Device) {
-    const CameraRequest request{{static_cast<int>(p.width), static_cast<int>(p.height)}, p.rate};
-    return [&p, request, &clock = context.clock] {
-      return asCapture(CameraDevice::open(p.path, request, p.colour, clock));
-    };
-  }
-  return [&p, pipe, &bits, &cancellation = context.cancellation] {
-    return asCapture(VideoFile::open(p.path, pipe, p.colour, bits, cancellation));
-  };
 }
 
 }  // namespace
@@ -58,7 +36,8 @@ Status VideoSource::configure(const Context& context) {
   if (!bound.isOk()) return ready_ = bound.status();
   parameters_ = bound.value();
   findings_ = &context.findings;
-  used_bits_ = source_parameters::UsedBits(parameters_.bits);
+  cancellation_ = &context.cancellation;
+  clock_ = &context.clock;
   return ready_ = prepare(context);
 }
 
@@ -68,35 +47,24 @@ Status VideoSource::prepare(const Context& context) {
   if (!kind.isOk()) return kind.status();
   kind_ = kind.value();
   if (Status status = checkCombination(p, kind_); !status.isOk()) return status;
-  open_ = makeOpen(p, kind_, pipe_.get(), used_bits_, context);
-  Result<std::unique_ptr<Capture>> opened = open_();
-  if (!opened.isOk()) return opened.status();
-  capture_ = std::move(opened).value();
+  if (Status status = open(); !status.isOk()) return status;
   description_ = capture_->description();
   const Result<PictureSize> size = cameraSize(capture_->size(), p.layout);
   if (!size.isOk()) return size.status();
   const Result<CameraRig> rig = p.rig(size.value().width, size.value().height);
   if (!rig.isOk()) return rig.status();
   rig_ = rig.value();
-  return p.order == FrameOrder::Forward ? Status::ok() : makeSequence();
+  return Status::ok();
 }
 
-Status VideoSource::makeSequence() {
-  reader_ = std::make_unique<FrameReader>(open_);
-  std::vector<Picture> pictures;
-  std::string defect;
-  if (Status status = reader_->readTimes(pictures, defect); !status.isOk()) return status;
-  if (!defect.empty()) reportDamage(defect);
-  std::vector<std::int64_t> stamps;
-  for (const Picture& picture : pictures) {
-    const auto stamp = stampNs(picture, static_cast<std::int64_t>(stamps.size()));
-    if (!stamp.isOk()) return stamp.status();
-    stamps.push_back(stamp.value());
-  }
-  Result<FrameSequence> sequence = FrameSequence::make(parameters_, stamps);
-  if (!sequence.isOk()) return sequence.status();
-  sequence_ = std::move(sequence).value();
-  return Status::ok();
+Status VideoSource::open() {
+  const Parameters& p = parameters_;
+  const CameraRequest request{{static_cast<int>(p.width), static_cast<int>(p.height)}, p.rate};
+  Result<std::unique_ptr<Capture>> opened =
+      kind_ == PathKind::Device ? openCamera(p.path, request, p.colour, *clock_)
+                                : openVideo(p.path, pipe_.get(), p.colour, *cancellation_);
+  if (opened.isOk()) capture_ = std::move(opened).value();
+  return opened.status();
 }
 
 Status VideoSource::reset() {
@@ -107,10 +75,7 @@ Status VideoSource::reset() {
   if (kind_ == PathKind::Pipe) {
     return ready_ = Status::unsupported(parameters_.path + ": a pipe cannot be read twice");
   }
-  Result<std::unique_ptr<Capture>> opened = open_();
-  if (!opened.isOk()) return ready_ = opened.status();
-  capture_ = std::move(opened).value();
-  return ready_;
+  return ready_ = open();
 }
 
 Status VideoSource::info(SourceInfo& info) {
@@ -119,25 +84,11 @@ Status VideoSource::info(SourceInfo& info) {
   if (parameters_.layout != PictureLayout::Mono) info.description += ", stereo pairs";
   if (!rig_.calibrated) info.description += ", uncalibrated";
   info.rig = rig_;
-  if (reader_ != nullptr) info.frames = sequence_.size();
   return Status::ok();
 }
 
 Status VideoSource::next(Frame& frame) {
   if (!ready_.isOk()) return ready_;
-  return reader_ != nullptr ? nextOfSequence(frame) : nextForward(frame);
-}
-
-Status VideoSource::nextOfSequence(Frame& frame) {
-  if (next_frame_ >= sequence_.size()) return Status::endOfStream();
-  const std::int64_t index = sequence_.sourceIndex(next_frame_);
-  Picture picture;
-  if (Status status = reader_->read(index, picture); !status.isOk()) return status;
-  frame.stamp_ns = sequence_.stampNs(next_frame_);
-  return give(picture, index, frame);
-}
-
-Status VideoSource::nextForward(Frame& frame) {
   const Parameters& p = parameters_;
   while (p.last < 0 || next_picture_ <= p.last) {
     const std::int64_t index = next_picture_;
@@ -190,7 +141,6 @@ Status VideoSource::give(Picture& picture, std::int64_t index, Frame& frame) {
     frame.defect = parameters_.path + ": " + picture.defect;
     return Status::ok();
   }
-  if (auto finding = used_bits_.endImage(parameters_.path)) findings_->add(*std::move(finding));
   frame.left = leftImage(picture.image, parameters_.layout);
   frame.right = rightImage(picture.image, parameters_.layout);
   return Status::ok();

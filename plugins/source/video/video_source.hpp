@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Source `video`: a video file, a pipe or a camera. Files are read in any order; pipes and cameras
-// forward only, and a camera until the run is stopped.
+// Source `video`: a video file, a pipe or a camera, read forward; a camera until the run is
+// stopped.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,10 @@
 
 #include "capture.hpp"
 #include "file_access.hpp"
-#include "frame_reader.hpp"
 #include "given_pinhole.hpp"
 #include "picture_converter.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/roles.hpp"
-#include "used_bits.hpp"
 
 namespace tolman::video {
 
@@ -23,7 +21,6 @@ struct VideoParameters : FrameSelection, source_parameters::GivenPinhole {
   std::string path;
   PictureLayout layout = PictureLayout::Mono;
   bool colour = false;
-  int bits = 16;
   double rate = 0;
   std::int64_t width = 0;
   std::int64_t height = 0;
@@ -41,10 +38,6 @@ struct VideoParameters : FrameSelection, source_parameters::GivenPinhole {
                      "left camera first."),
             parameter("colour", &P::colour)
                 .doc("Provide colour images; otherwise pictures are converted to grey."),
-            parameter("bits", &P::bits)
-                .range(8, 16)
-                .doc("Bits of grey pictures of 16 bits that the camera uses, from the lowest; the "
-                     "8 highest of them are taken."),
             parameter("rate", &P::rate)
                 .range(0, 1e6)
                 .unit("Hz")
@@ -74,10 +67,7 @@ class VideoSource final : public Source {
 
  private:
   Status prepare(const Context& context);
-  /// Reads the times of all pictures, for other orders than forward.
-  Status makeSequence();
-  Status nextForward(Frame& frame);
-  Status nextOfSequence(Frame& frame);
+  Status open();
   Status atEnd();
   void reportDamage(std::string what);
   Status give(Picture& picture, std::int64_t index, Frame& frame);
@@ -86,17 +76,15 @@ class VideoSource final : public Source {
   Parameters parameters_;
   PathKind kind_ = PathKind::File;
   FindingCollector* findings_ = nullptr;
-  OpenFile pipe_;                          ///< read by capture_
-  source_parameters::UsedBits used_bits_;  ///< used by capture_
-  OpenCapture open_;
-  std::unique_ptr<Capture> capture_;  ///< for forward order
-  std::unique_ptr<FrameReader> reader_;
-  FrameSequence sequence_;
+  const Cancellation* cancellation_ = nullptr;
+  const Clock* clock_ = nullptr;
+  OpenFile pipe_;  ///< read by capture_
+  std::unique_ptr<Capture> capture_;
   CameraRig rig_;
   std::string description_;
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;
-  std::int64_t next_picture_ = 0;  ///< in forward order: index of the next picture of capture_
+  std::int64_t next_picture_ = 0;  ///< index of the next picture of capture_
 };
 
 }  // namespace tolman::video

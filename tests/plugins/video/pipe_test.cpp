@@ -36,15 +36,4 @@ TEST_CASE("a video from a pipe is read while it is written, and once") {
   CHECK(played.source.reset().message().find("cannot be read twice") != std::string::npos);
 }
 
-TEST_CASE("a pipe has no other order") {
-  const test::TemporaryFolder folder;
-  const auto pipe = folder.path() / "pipe";
-  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  std::thread writer([&] { std::ofstream(pipe) << "no video"; });
-  CHECK(Played(pipe, {{"order", std::string("backward")}}).message ==
-        pipe.string().substr(folder.path().string().size() + 1) +
-            " can be read forward only; remove order");
-  writer.join();
-}
-
 }  // namespace tolman::video

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures and times of valid files in several containers and codecs.
-#include "video_file.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 

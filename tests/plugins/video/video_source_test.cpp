@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Selection and order of frames, stereo pairs in one picture, calibration, contradictions.
+// Selection of frames, stereo pairs in one picture, calibration, contradictions.
 #include "video_source.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,8 +18,6 @@ struct Clip {
   Clip() { writeFlatVideo(file, 12); }
 };
 
-ParameterValues order(const char* name) { return {{"order", std::string(name)}}; }
-
 }  // namespace
 
 TEST_CASE("first, last and step, read forward") {
@@ -34,19 +32,6 @@ TEST_CASE("first, last and step, read forward") {
   CHECK(some.frames[1].source_index == 5);
   CHECK(some.frames[1].frame == 1);
   CHECK(some.stamps() == std::vector<std::int64_t>{200'000'000, 500'000'000, 800'000'000});
-}
-
-TEST_CASE("other orders give the same pictures") {
-  const Clip clip;
-  const Played backward(clip.file, order("backward"));
-  CHECK(backward.info.frames == 12);
-  CHECK(backward.numbers() == std::vector<int>{11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0});
-  ParameterValues values = order("pingpong");
-  values["last"] = std::int64_t{3};
-  values["passes"] = std::int64_t{3};
-  const Played turning(clip.file, values);
-  CHECK(turning.numbers() == std::vector<int>{0, 1, 2, 3, 2, 1, 0, 1, 2, 3});
-  CHECK(turning.stamps().back() == 900'000'000);
 }
 
 TEST_CASE("a frame number beyond the end is refused at the end") {
@@ -103,6 +88,8 @@ TEST_CASE("contradictions are refused before the first frame") {
   const Clip clip;
   CHECK(Played(clip.file, {{"baseline", 0.1}}).message ==
         "baseline is given with layout: mono; set the layout");
+  CHECK(Played(clip.file, {{"order", std::string("backward")}}).message ==
+        "video.mkv: a video is read forward only; remove order, or make a folder of images of it");
   CHECK(Played(clip.file, {{"width", std::int64_t{640}}}).message ==
         "width and height are those of a camera; remove them");
   CHECK(Played(clip.file, {{"fx", 100.0}, {"cx", 64.0}}).message ==
@@ -131,22 +118,6 @@ TEST_CASE("halves of a picture are views of its pixels") {
   CHECK(cameraSize({7, 4}, PictureLayout::TopBottom).value() == PictureSize{7, 2});
   CHECK(cameraSize({7, 4}, PictureLayout::SideBySide).status().message() ==
         "pictures of 7x4 px are not two equal halves side by side; correct layout");
-}
-
-TEST_CASE("grey pictures of 16 bits that use fewer") {
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "video.mkv";
-  std::vector<cv::Mat> pictures;
-  for (int i = 0; i < 12; ++i) pictures.emplace_back(48, 64, CV_16UC1, cv::Scalar(300 * i + 16));
-  encodeVideo(file, "ffv1", pictures, {{"level", "3"}});
-  const Played dark(file);
-  REQUIRE(dark.frames.size() == 12);
-  CHECK(dark.frames[10].left.data()[0] == 3016 / 256);
-  REQUIRE(dark.context.findings.size() == 1);
-  CHECK_THAT(dark.context.findings[0].message, Catch::Contains("stay below 4096"));
-  const Played right(file, {{"bits", 12}});
-  CHECK(right.frames[10].left.data()[0] == 3016 / 16);
-  CHECK(right.context.findings.empty());
 }
 
 }  // namespace tolman::video
