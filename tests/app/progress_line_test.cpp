@@ -5,7 +5,6 @@
 #include <sstream>
 
 using namespace tolman;
-using app::durationText;
 
 namespace {
 

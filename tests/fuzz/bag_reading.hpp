@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bag_file.hpp"
+#include "bag.hpp"
 #include "input.hpp"
 
 namespace tolman::fuzz {

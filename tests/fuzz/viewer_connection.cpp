@@ -7,11 +7,11 @@
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 
-#include "handover.hpp"
 #include "http_connection.hpp"
 #include "input.hpp"
 #include "server.hpp"
 #include "small_plugins.hpp"
+#include "viewer_thread.hpp"
 
 namespace tolman::fuzz {
 namespace {

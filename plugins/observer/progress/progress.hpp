@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Observer `progress`: one redrawn line on a terminal, otherwise a line at intervals.
+// Observer `progress`: how far a run is, with counts of views, experiences and loops.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-#include "progress_text.hpp"
+#include "base/progress_display.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::progress {
@@ -15,20 +15,10 @@ namespace tolman::progress {
 class Progress final : public Observer {
  public:
   struct Parameters {
-    double every_percent = 10;
-    double every_seconds = 5;
     bool quiet = false;
 
     static constexpr auto declaration() {
       return parameters(
-          parameter("every_percent", &Parameters::every_percent)
-              .range(0, 100)
-              .unit("%")
-              .doc("Without a terminal: a line each time this share is done; 0 for never."),
-          parameter("every_seconds", &Parameters::every_seconds)
-              .range(0, 86400)
-              .unit("s")
-              .doc("Without a terminal: longest time without a line; 0 for no limit."),
           parameter("quiet", &Parameters::quiet).doc("Show nothing; --quiet sets it."));
     }
   };
@@ -49,22 +39,19 @@ class Progress final : public Observer {
 
  private:
   void count(const Snapshot& snapshot);
-  bool isLineDue() const;
-  void redraw(const std::string& line);
+  /// "12 templates, 8 experiences, 1 loop decision"
+  std::string counts(std::int64_t loops, const char* loop) const;
 
-  std::ostream& out_;
-  std::function<int()> width_;
-  Parameters parameters_;
+  ProgressDisplay display_;
+  bool quiet_ = false;
   const Clock* clock_ = nullptr;
-  bool interactive_;  ///< `out_` is a terminal
-  bool colour_ = false;
 
-  ProgressState state_;
+  FrameCount frames_;  ///< left out: dropped in realtime, skipped, or without image
+  std::int64_t templates_ = 0;
+  std::int64_t experiences_ = 0;
+  std::int64_t loop_decisions_ = 0;
   std::int64_t begin_ns_ = 0;
-  std::int64_t shown_ns_ = 0;      ///< ns, time of the last output
-  std::int64_t shown_frames_ = 0;  ///< number of frames at the last output
   std::int64_t first_frame_ = -1;  ///< of this session; -1 before it
-  std::size_t drawn_ = 0;          ///< characters of the line on the terminal
 };
 
 }  // namespace tolman::progress

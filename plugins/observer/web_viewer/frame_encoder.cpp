@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "container.hpp"
+#include "run_store.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::web_viewer {

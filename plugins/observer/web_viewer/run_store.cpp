@@ -1,7 +1,172 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_store.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
 namespace tolman::web_viewer {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the wire is little-endian");
+
+constexpr std::size_t kAlignment = 8;
+constexpr std::array<std::string_view, 4> kElementNames = {"u8", "i32", "f32", "f64"};
+
+std::size_t aligned(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
+
+}  // namespace
+
+std::string jsonText(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string encodeContainer(nlohmann::json header, const std::vector<PackedArray>& arrays) {
+  nlohmann::json list = nlohmann::json::array();
+  std::size_t offset = 0;
+  for (const PackedArray& array : arrays) {
+    list.push_back({{"name", array.name},
+                    {"dtype", kElementNames.at(static_cast<std::size_t>(array.element))},
+                    {"shape", array.shape},
+                    {"offset", offset}});
+    offset = aligned(offset + array.bytes->size());
+  }
+  header["arrays"] = std::move(list);
+  const std::string text = jsonText(header);
+  const auto length = static_cast<std::uint32_t>(text.size());
+  std::string message(aligned(sizeof length + text.size()) + offset, '\0');
+  std::memcpy(message.data(), &length, sizeof length);
+  std::ranges::copy(text, message.begin() + sizeof length);
+  char* next = message.data() + aligned(sizeof length + text.size());
+  for (const PackedArray& array : arrays) {
+    // NOLINTNEXTLINE(bugprone-not-null-terminated-result): bytes, not text
+    std::memcpy(next, array.bytes->data(), array.bytes->size());
+    next += aligned(array.bytes->size());
+  }
+  return message;
+}
+
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+[[noreturn]] void failToCreate(const std::string& folder, const std::error_code& error) {
+  const bool descriptors =
+      error == std::errc::too_many_files_open || error == std::errc::too_many_files_open_in_system;
+  throw std::system_error(
+      error, folder + ": cannot hold temporary files; " +
+                 (descriptors ? "allow more open files (`ulimit -n`)"
+                              : "set TMPDIR to a folder that exists and can be written"));
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile() {
+  std::error_code error;
+  // Also of a folder that is none, the path is named.
+  const char* given = std::getenv("TMPDIR");
+  std::string folder = std::filesystem::temp_directory_path(error).string();
+  if (error && given != nullptr) folder = given;
+  if (error) failToCreate(folder, error);
+  descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (descriptor_ >= 0) return;
+  std::string name = folder + "/tolman-viewer-XXXXXX";  // no O_TMPFILE on this file system
+  descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor_ < 0) failToCreate(folder, {errno, std::generic_category()});
+  ::unlink(name.c_str());
+}
+
+TemporaryFile::~TemporaryFile() { ::close(descriptor_); }
+
+void TemporaryFile::write(std::uint64_t offset, std::span<const char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) fail("the temporary file cannot be written");
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+    offset += static_cast<std::uint64_t>(n);
+  }
+}
+
+void TemporaryFile::read(std::uint64_t offset, std::span<char> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t n = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) fail("the temporary file cannot be read");
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+    offset += static_cast<std::uint64_t>(n);
+  }
+}
+
+bool TemporaryFile::release(std::uint64_t offset, std::uint64_t size) {
+  return ::fallocate(descriptor_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
+                     static_cast<off_t>(offset), static_cast<off_t>(size)) == 0;
+}
+
+namespace {
+
+// Bytes; only whole blocks of the file system can be freed.
+constexpr std::uint64_t kBlock = 4096;
+
+std::uint64_t blocks(std::uint64_t size) { return (size + kBlock - 1) / kBlock * kBlock; }
+
+}  // namespace
+
+bool Spool::store(std::int64_t number, const std::string& message) {
+  const std::uint64_t needed = blocks(message.size());
+  if (needed > capacity_ || full_) return false;
+  if (const auto old = extents_.find(number); old != extents_.end()) drop(old);
+  while (used_ + needed > capacity_ && !full_) thin();
+  if (full_) return false;
+  file_.write(end_, message);
+  extents_[number] = {end_, message.size()};
+  end_ += needed;
+  used_ += needed;
+  return true;
+}
+
+Spool::Extents::iterator Spool::drop(Extents::iterator extent) {
+  const std::uint64_t size = blocks(extent->second.size);
+  full_ = !file_.release(extent->second.offset, size) || full_;
+  used_ -= size;
+  return extents_.erase(extent);
+}
+
+/// Drops the second, fourth, ... message; if there is only one message, drops it.
+void Spool::thin() {
+  auto extent = extents_.begin();
+  if (extents_.size() > 1) ++extent;
+  while (extent != extents_.end()) {
+    extent = drop(extent);
+    if (extent != extents_.end()) ++extent;
+  }
+}
+
+std::optional<std::string> Spool::at(std::int64_t number) const {
+  const auto found = extents_.find(number);
+  if (found == extents_.end()) return std::nullopt;
+  std::string message(found->second.size, '\0');
+  file_.read(found->second.offset, message);
+  return message;
+}
+
+std::optional<std::int64_t> Spool::atOrBefore(std::int64_t number) const {
+  auto after = extents_.upper_bound(number);
+  if (after == extents_.begin()) return std::nullopt;
+  return std::prev(after)->first;
+}
+
 namespace {
 
 constexpr JpegOptions kThumbnail = {320, 70};

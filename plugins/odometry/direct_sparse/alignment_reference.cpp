@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Projection into the newest keyframe and the derivatives of each sample.
-#include "alignment_reference.hpp"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 
+#include "alignment.hpp"
 #include "gradient_samples.hpp"
 #include "photometric_residual.hpp"
 

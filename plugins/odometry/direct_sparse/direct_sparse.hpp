@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "lost_motion.hpp"
 #include "mapper.hpp"
 #include "parameters.hpp"
-#include "recent_velocities.hpp"
 #include "tolman/roles.hpp"
 #include "tracker.hpp"
 

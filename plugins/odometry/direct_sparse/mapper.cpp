@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bundle_adjustment.hpp"
 #include "epipolar_search.hpp"
-#include "marginalisation.hpp"
 #include "tracker.hpp"
 
 namespace tolman::direct_sparse {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The costs of a row search: sums of absolute differences of a patch at each pixel of a row.
+// Resamples an image whose rows a smooth field displaces by fractions of a pixel.
 #pragma once
 
 #include <array>
@@ -9,9 +9,30 @@
 
 #include "disparity_field.hpp"
 #include "pyramid.hpp"
-#include "row_shift.hpp"
 
 namespace tolman::direct_sparse {
+
+class RowShift {
+ public:
+  /// Displacement down the columns, px, for images of this size.
+  void set(const SmoothField& field, int width, int height);
+  /// Images are left as they are.
+  void setNone() { steps_.clear(); }
+  /// image(u, v) becomes image(u, v + field(u, v)), by Catmull-Rom; beyond the first and the last
+  /// row the outermost one is repeated.
+  void apply(GrayLevel& image);
+  /// px, the field as it is applied: constant in blocks, in steps of 1/32 px.
+  double at(double u, double v) const;
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  int across_ = 0;                   ///< blocks in a row
+  std::vector<std::int16_t> steps_;  ///< of 1/32 px, a block each, row by row; empty: none
+  std::vector<std::uint8_t> buffer_;
+};
+
+// The costs of a row search: sums of absolute differences of a patch at each pixel of a row.
 
 /// Size, px; columns -4 ... 3 and rows -2 ... 2 around the pixel. Chosen, not tuned.
 inline constexpr int kPatchWidth = 8;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "projection.hpp"
+#include "given_pinhole.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::feature_stereo {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "projection.hpp"
+#include "given_pinhole.hpp"
 
 namespace tolman::feature_stereo {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "projection.hpp"
+#include "given_pinhole.hpp"
 #include "window.hpp"
 
 namespace tolman::feature_stereo {

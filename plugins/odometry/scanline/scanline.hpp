@@ -8,7 +8,6 @@
 
 #include "parameters.hpp"
 #include "profile.hpp"
-#include "profile_match.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::scanline {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "differences.hpp"
+#include "line_search.hpp"
 
 namespace tolman::seqslam {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "path_cost.hpp"
-#include "path_steps.hpp"
 #include "place_search.hpp"
 #include "place_verifier.hpp"
 #include "street_points.hpp"

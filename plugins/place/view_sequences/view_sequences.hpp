@@ -14,7 +14,7 @@
 #include "backward_places.hpp"
 #include "edge_grid.hpp"
 #include "parameters.hpp"
-#include "path_steps.hpp"
+#include "path_cost.hpp"
 #include "place_search.hpp"
 #include "place_verifier.hpp"
 #include "tolman/plugin.hpp"

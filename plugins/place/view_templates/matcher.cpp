@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 namespace tolman::view_templates {
+
 namespace {
 
 /// Vectorises to 8 cells with SSE2, because the larger minus the smaller cell fits 16 bits; the

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "matcher.hpp"
 #include "tolman/state_stream.hpp"
-#include "yaw_of_shift.hpp"
 
 namespace tolman::view_templates {
 namespace {

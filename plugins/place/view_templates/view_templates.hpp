@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "landmark_memory.hpp"
 #include "matcher.hpp"
 #include "template_bank.hpp"
 #include "tolman/plugin.hpp"

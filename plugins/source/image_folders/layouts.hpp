@@ -6,8 +6,8 @@
 #include <string>
 #include <tuple>
 
-#include "folder_source.hpp"
 #include "given_pinhole.hpp"
+#include "image_dataset.hpp"
 #include "times_and_poses.hpp"
 
 namespace tolman::image_folders {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "live_topics.hpp"
-#include "message.hpp"
+#include "messages.hpp"
 #include "node.hpp"
 #include "pair_queue.hpp"
 #include "ros1_parameters.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "camera_rigs.hpp"
 #include "messages.hpp"
-#include "pair_names.hpp"
 
 namespace tolman::ros1 {
 namespace {

@@ -12,6 +12,7 @@
 #include "sqlite_file.hpp"
 
 namespace tolman::ros_bag {
+
 namespace fs = std::filesystem;
 namespace {
 

@@ -9,7 +9,6 @@
 #include "bag.hpp"
 #include "bag_parameters.hpp"
 #include "camera_rigs.hpp"
-#include "frame_table.hpp"
 #include "side_measurements.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"

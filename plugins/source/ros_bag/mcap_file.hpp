@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "chunked_file.hpp"
+#include "file_bytes.hpp"
 
 namespace tolman::ros_bag {
 

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "messages.hpp"
 #include "tolman/fields.hpp"
 #include "tolman/geometry.hpp"
+#include "tolman/status.hpp"
 
 namespace tolman::ros_bag {
 
@@ -47,5 +50,32 @@ class SideMeasurements {
   std::vector<ImuMessage> imu_;  ///< by stamp
   std::vector<Pose> poses_;      ///< by stamp
 };
+
+// Frames from messages of several topics, joined by their stamps.
+
+/// Messages of one frame, as indices into the topics' lists.
+struct FrameRow {
+  std::size_t left = 0;
+  std::size_t right = 0;             ///< with a pair only
+  std::optional<std::size_t> depth;  ///< the nearest within the tolerance
+};
+
+struct FrameTable {
+  std::vector<FrameRow> rows;     ///< by the stamp of the left image
+  std::size_t left_alone = 0;     ///< number of left images without a right one, which are left out
+  std::size_t right_alone = 0;    ///< number of right images without a left one
+  std::size_t without_depth = 0;  ///< number of rows, where a depth topic is chosen
+};
+
+/// For each message of `left` the one of `others` with the nearest stamp, if within the tolerance;
+/// none is used twice. Both must be sorted by stamp.
+std::vector<std::optional<std::size_t>> matchStamps(const std::vector<BagMessage>& left,
+                                                    const std::vector<BagMessage>& others,
+                                                    std::int64_t tolerance_ns);
+
+/// InvalidInput if no left image has a right one, or no frame a depth image; the message contains
+/// their difference in time.
+Result<FrameTable> makeFrameTable(const BagTopic& left, const BagTopic* right,
+                                  const BagTopic* depth, std::int64_t tolerance_ns);
 
 }  // namespace tolman::ros_bag

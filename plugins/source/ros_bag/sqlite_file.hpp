@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "bag_file.hpp"
+#include "bag.hpp"
 #include "file_bytes.hpp"
 
 namespace tolman::ros_bag {

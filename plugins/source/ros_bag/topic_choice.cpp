@@ -5,9 +5,9 @@
 #include <initializer_list>
 #include <vector>
 
+#include "camera_rigs.hpp"
 #include "image_conversion.hpp"
 #include "messages.hpp"
-#include "pair_names.hpp"
 
 namespace tolman::ros_bag {
 namespace {

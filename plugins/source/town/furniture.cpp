@@ -2,7 +2,7 @@
 // Street furniture, lane markings, guard rails and the horizon.
 #include "noise.hpp"
 #include "objects.hpp"
-#include "shapes.hpp"
+#include "world.hpp"
 
 namespace tolman::town {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "buildings.hpp"
 #include "noise.hpp"
-#include "shapes.hpp"
+#include "world.hpp"
 
 namespace tolman::town {
 namespace {

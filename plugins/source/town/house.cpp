@@ -2,7 +2,7 @@
 // One house: walls with facades, a roof, chimneys.
 #include "noise.hpp"
 #include "objects.hpp"
-#include "shapes.hpp"
+#include "world.hpp"
 
 namespace tolman::town {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "noise.hpp"
 #include "objects.hpp"
-#include "shapes.hpp"
 #include "tolman/context.hpp"
+#include "world.hpp"
 
 namespace tolman::town {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/number_text.hpp"
 #include "base/text_file.hpp"
 #include "calibration_cameras.hpp"
-#include "lens.hpp"
+#include "given_pinhole.hpp"
 
 namespace tolman::camera_files {
 namespace {

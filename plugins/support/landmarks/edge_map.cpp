@@ -7,7 +7,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "reduced_image.hpp"
+#include "landmarks.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::landmarks {

@@ -8,11 +8,11 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "reduced_image.hpp"
 #include "tolman/image_cv.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::landmarks {
+
 namespace {
 
 constexpr double kSigma = 1;         // px of the reduced image; chosen, not tuned

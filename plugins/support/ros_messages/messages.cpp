@@ -6,6 +6,7 @@
 #include "field_reader.hpp"
 
 namespace tolman::ros_messages {
+
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;

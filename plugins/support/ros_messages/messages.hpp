@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The messages of ROS that sources read, decoded. Views are of the message's bytes.
-// Units are those of ROS: rad/s, m/s^2, m.
+// The bytes of one message, and the encoding of its fields.
 #pragma once
 
 #include <array>
@@ -10,9 +9,24 @@
 #include <string_view>
 #include <vector>
 
-#include "message.hpp"
+#include "field_reader.hpp"
 
 namespace tolman::ros_messages {
+
+enum class Encoding : std::uint8_t { Cdr, Ros1 };
+
+/// A view; the bytes must outlive it.
+struct Message {
+  Message(Bytes of, Encoding written = Encoding::Cdr) : bytes(of), encoding(written) {}
+  Message(const std::vector<std::uint8_t>& of, Encoding written = Encoding::Cdr)
+      : bytes(of), encoding(written) {}
+
+  Bytes bytes;
+  Encoding encoding;
+};
+
+// The messages of ROS that sources read, decoded. Views are of the message's bytes.
+// Units are those of ROS: rad/s, m/s^2, m.
 
 inline constexpr std::string_view kImage = "sensor_msgs/msg/Image";
 inline constexpr std::string_view kCompressedImage = "sensor_msgs/msg/CompressedImage";

@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "data_error.hpp"
-#include "lens.hpp"
+#include "given_pinhole.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

@@ -5,7 +5,6 @@
 
 #include "bundle_adjustment.hpp"
 #include "harness.hpp"
-#include "marginalisation.hpp"
 #include "street.hpp"
 
 using namespace tolman;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Marginalised points and keyframes have the same effect on the window as if they were kept.
-#include "marginalisation.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recent_velocities.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "lost_motion.hpp"
 
 using tolman::RecentVelocities;
 using tolman::Vector6d;

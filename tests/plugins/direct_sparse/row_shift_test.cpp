@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "row_shift.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "row_alignment.hpp"
 #include "textured_pair.hpp"
 
 using namespace tolman::direct_sparse;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Disparities from a depth image: closed forms on planes, and depths that are no surface.
-#include "depth_disparity.hpp"
-
 #include <catch2/catch.hpp>
 #include <limits>
 

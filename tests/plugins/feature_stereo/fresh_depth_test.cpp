@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "depth_disparity.hpp"
+#include "stereo_matching.hpp"
 
 using namespace tolman;
 using feature_stereo::FreshDepth;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stereo projection against closed forms and finite differences.
-#include "projection.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "given_pinhole.hpp"
 #include "support/street_scene.hpp"
 
 using namespace tolman;

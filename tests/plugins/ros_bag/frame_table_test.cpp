@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_table.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "side_measurements.hpp"
 
 namespace tolman::ros_bag {
 namespace {

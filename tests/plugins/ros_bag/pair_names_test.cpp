@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pair_names.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "camera_rigs.hpp"
 
 namespace tolman::ros_messages {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shift search against known shifts and a search by the plain formula.
-#include "profile_match.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "profile.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

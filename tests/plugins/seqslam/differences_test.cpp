@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Local contrast enhancement, against numbers by hand and its bounds.
-#include "differences.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "line_search.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <optional>
 
-#include "shapes.hpp"
 #include "small_town.hpp"
 #include "tolman/context.hpp"
+#include "world.hpp"
 
 using namespace tolman;
 using namespace tolman::town;

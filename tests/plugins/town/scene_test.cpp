@@ -10,9 +10,9 @@
 #include "ray_packet.hpp"
 #include "renderer.hpp"
 #include "shadow_grid.hpp"
-#include "shapes.hpp"
 #include "small_town.hpp"
 #include "tolman/context.hpp"
+#include "world.hpp"
 
 using namespace tolman;
 using namespace tolman::town;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Landmarks on disk: read as they were stored; damaged states; no space for the file.
-#include "landmark_store.hpp"
-
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <set>
 
 #include "part_state.hpp"
+#include "place_verifier.hpp"
 #include "support/data.hpp"
 #include "support/environment.hpp"
 #include "tolman/context.hpp"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Steps along the path: their spacing, standing still, restarts, unknown scale.
-#include "path_steps.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "part_state.hpp"
+#include "path_cost.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

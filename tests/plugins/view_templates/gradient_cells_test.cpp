@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells of edge directions for images whose edges are known.
-#include "gradient_cells.hpp"
-
 #include <catch2/catch.hpp>
 #include <numbers>
 
 #include "harness.hpp"
+#include "view_maker.hpp"
 
 using namespace tolman;
 using namespace tolman::view_templates;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The landmarks of all templates: poses in a scene of boards; damaged states.
-#include "landmark_memory.hpp"
-
 #include <catch2/catch.hpp>
 #include <sstream>
 
 #include "support/street_scene.hpp"
+#include "template_bank.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

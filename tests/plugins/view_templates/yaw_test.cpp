@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness.hpp"
-#include "yaw_of_shift.hpp"
+#include "matcher.hpp"
 
 using namespace tolman;
 using namespace tolman::view_templates;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Encoded messages, decoded byte by byte.
-#include "container.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "browser.hpp"
+#include "run_store.hpp"
 
 namespace tolman::web_viewer {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <type_traits>
 
-#include "wire_records.hpp"
+#include "frame_encoder.hpp"
 
 namespace tolman::web_viewer {
 namespace {

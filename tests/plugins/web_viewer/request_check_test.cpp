@@ -2,7 +2,7 @@
 // Accepted and refused Host and Origin headers.
 #include <catch2/catch.hpp>
 
-#include "http_response.hpp"
+#include "http_connection.hpp"
 
 namespace tolman::web_viewer {
 

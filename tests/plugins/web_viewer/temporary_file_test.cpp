@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "spool.hpp"
+#include "run_store.hpp"
 #include "support/data.hpp"
 #include "tolman/context.hpp"
 

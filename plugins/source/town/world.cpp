@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shapes.hpp"
+#include "world.hpp"
 
 #include <map>
 #include <numbers>
@@ -8,6 +8,7 @@
 #include "noise.hpp"
 
 namespace tolman::town {
+
 namespace {
 
 /// A sphere, by subdivision of an icosahedron.

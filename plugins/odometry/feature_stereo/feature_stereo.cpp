@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The steps of one frame: tracking, pose, keyframe, report.
-#include "feature_odometry.hpp"
+#include "feature_stereo.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "depth_disparity.hpp"
 #include "lost_motion.hpp"
 #include "odometry_input.hpp"
+#include "stereo_matching.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::feature_stereo {
+
 namespace {
 
 /// CV_8UC1, or empty for an image without contrast: missing, dark, saturated, covered.
