@@ -129,6 +129,6 @@ TEST_CASE("a video without calibration becomes a folder that images reads", "[da
   CHECK(contains(imported.finished.out, "plugin: images"));
   CHECK_FALSE(fs::exists(imported.out / "calib.txt"));
   imported.check("images", {"--set", "left=image_0", "--set", "stamps=times.txt"});
-  const Imported calibrated(video, {"--set", "source.fx=700"});
+  const Imported calibrated(video, {"--set", "source.pinhole=[700]"});
   calibrated.check();
 }

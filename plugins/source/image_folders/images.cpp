@@ -22,12 +22,12 @@ void checkCombination(const P& p) {
   const auto refuseIf = [](bool contradicts, const char* message) {
     if (contradicts) throw source_parameters::DataError(Status::invalidParameter(message));
   };
-  refuseIf(!p.calibration.empty() && (p.fx > 0 || p.baseline > 0),
-           "calibration and fx or baseline are both given; keep one");
+  refuseIf(!p.calibration.empty() && (p.isGiven() || p.baseline > 0),
+           "calibration and pinhole or baseline are both given; keep one");
   refuseIf(p.right.empty() && p.baseline > 0,
            "baseline is given without right; name the right folder");
-  refuseIf(!p.right.empty() && p.calibration.empty() && (p.fx == 0 || p.baseline == 0),
-           "two cameras need a calibration; give the file, or fx and baseline");
+  refuseIf(!p.right.empty() && p.calibration.empty() && (!p.isGiven() || p.baseline == 0),
+           "two cameras need a calibration; give the file, or pinhole and baseline");
   refuseIf(!p.calibration_right.empty() && p.calibration.empty(),
            "calibration_right is given without calibration; name both");
   refuseIf(p.stamps_in_names && (!p.stamps.empty() || !p.list.empty()),

@@ -86,7 +86,7 @@ struct EurocParameters : FolderParameters {
 
 /// Source `tum`: a sequence of the TUM RGB-D benchmark, with depth where there is depth.txt.
 struct TumParameters : FolderParameters, source_parameters::GivenPinhole {
-  TumParameters() { fx = fy = 525, cx = 319.5, cy = 239.5; }  // recommended by the benchmark
+  TumParameters() { pinhole = {525, 525, 319.5, 239.5}; }  // recommended by the benchmark
 
   std::string path;
   double depth_scale = 5000;
@@ -110,7 +110,7 @@ struct TumParameters : FolderParameters, source_parameters::GivenPinhole {
                 .unit("s")
                 .doc("Largest difference in time between an image and its depth or its true "
                      "pose.")),
-        source_parameters::pinholeParameters<P>(), folderParameters<P>());
+        source_parameters::pinholeParameter<P>(), folderParameters<P>());
   }
 };
 
@@ -146,11 +146,11 @@ struct ImagesParameters : FolderParameters, source_parameters::GivenPinhole {
                      "numbers in their names."),
             parameter("calibration", &P::calibration)
                 .doc("Calibration: KITTI's P0, P1 for rectified images; for raw ones Kalibr, "
-                     "OpenCV, ROS, EuRoC or KITTI raw. Empty: fx to baseline."),
+                     "OpenCV, ROS, EuRoC or KITTI raw. Empty: pinhole and baseline."),
             parameter("calibration_right", &P::calibration_right)
                 .doc("Second file where calibration has one camera, or no poses (OpenCV's "
                      "extrinsics).")),
-        source_parameters::pinholeParameters<P>(), source_parameters::baselineParameter<P>(),
+        source_parameters::pinholeParameter<P>(), source_parameters::baselineParameter<P>(),
         parameters(
             parameter("rate", &P::rate)
                 .range(0.001, 1e6)

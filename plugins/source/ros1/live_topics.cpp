@@ -94,7 +94,7 @@ Result<LiveTopics> chooseLiveTopics(const Published& published, const Ros1Parame
   if (!pair || (!chosen.left_info.empty() && !chosen.right_info.empty())) return chosen;
   return Status::invalidInput(
       "nobody publishes a CameraInfo beside " + chosen.left + " and " + chosen.right +
-      "; set left_info and right_info, give fx and baseline, or set mono: true");
+      "; set left_info and right_info, give pinhole and baseline, or set mono: true");
 }
 
 }  // namespace tolman::ros1

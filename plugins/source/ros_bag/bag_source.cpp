@@ -93,9 +93,9 @@ Status BagSource::reportTopics() const {
                                   ": has no message that can be used; record it again");
     }
     if (!topic->other_camera.empty()) {
-      return Status::invalidInput(topic->topic.name + ": a later message has " +
-                                  topic->other_camera +
-                                  " than the first; cut the bag there, or give fx and baseline");
+      return Status::invalidInput(
+          topic->topic.name + ": a later message has " + topic->other_camera +
+          " than the first; cut the bag there, or give pinhole and baseline");
     }
     if (!topic->isOf(kImage)) continue;
     const std::string doubt = ros_messages::doubtOfRows(topic->firstMessage());

@@ -158,11 +158,7 @@ Image TownCamera::take(Renderer& renderer, const Light& light, const Moment& mom
   if (light.rain > 0) {
     addRain(radiance, viewAt(moment), truth_.T_left_camera, rainAt(light, moment, open));
   }
-  if (lens_.has_drops) {
-    addDrops(radiance, size, moment.seconds,
-             hash(kCameraSeed, static_cast<std::uint32_t>(index_), 502));
-  }
-  const double bloom = std::max(p.camera_error * kBloom, lens_.blooms ? kBloomByNight : 0.0);
+  const double bloom = std::max(p.camera_error * kBloom, blooms_ ? kBloomByNight : 0.0);
   if (bloom > 0) {
     addBloom(radiance, size, static_cast<float>(255 / sensor.gain), static_cast<float>(bloom));
   }

@@ -39,17 +39,10 @@ struct Moment {
   /// Pose of the left camera; 0 is the stamp, 1 the stamp of the next frame.
   std::function<Eigen::Isometry3d(double part)> T_town_left;
   double interval_s = 0.1;     ///< from part 0 to part 1
-  double seconds = 0;          ///< since the start of the drive
   double gain = 255;           ///< grey levels for a radiance of 1
   std::uint32_t exposure = 0;  ///< number of the image in the run, different for left and right
   /// Sets the motions of objects from part `begin` to part `end`.
   std::function<void(double begin, double end, OpenShutter& shutter)> follow;
-};
-
-/// The lens of a drive through such weather.
-struct Lens {
-  bool has_drops = false;
-  bool blooms = false;  ///< as much as by night
 };
 
 class TownCamera {
@@ -58,7 +51,8 @@ class TownCamera {
   TownCamera(const TownParameters& parameters, const CameraRig& calibrated, TrueCamera truth,
              std::size_t index, std::uint32_t run_seed);
 
-  void setLens(const Lens& lens) { lens_ = lens; }
+  /// Light spreads in the lens as much as by night.
+  void bloom() { blooms_ = true; }
   Image take(Renderer& renderer, const Light& light, const Moment& moment);
   /// The last rendered image, without blur: that at the stamp.
   const RenderedImage& rendered() const { return rendered_; }
@@ -79,7 +73,7 @@ class TownCamera {
   TrueCamera truth_;
   std::size_t index_;
   std::uint32_t run_seed_;
-  Lens lens_;
+  bool blooms_ = false;
   RenderedImage rendered_;
   std::vector<float> blurred_;
 };

@@ -13,17 +13,13 @@
 namespace tolman::town {
 namespace {
 
-// Rain and drops: all chosen, not tuned.
+// Rain: all chosen, not tuned.
 constexpr std::uint32_t kStreaks = 3000;  ///< number in front of the cameras in heavy rain
 constexpr double kNearest = 0.8;          ///< m
 constexpr double kFarthest = 12;          ///< m
 constexpr double kFall = 8;               ///< m/s, drops of 3 mm
 constexpr double kStreakWidth = 0.003;    ///< m
 constexpr float kOpacity = 0.3F;          // of light that a drop replaces
-constexpr std::uint32_t kDrops = 12;      // on the glass
-constexpr float kSmallest = 7;            ///< px at scale 1, radius of drops
-constexpr float kLargest = 38;            ///< px
-constexpr float kRefraction = 3.5;        ///< a drop shows this many times its width, inverted
 
 /// Draws a line of the given width in px. A line thinner than a pixel covers only a part of it.
 void drawLine(std::vector<float>& radiance, const RenderCamera& view, const Eigen::Vector2d& from,
@@ -90,22 +86,6 @@ void levelsOfRow(const Response& response, const float* radiance, std::uint32_t 
   }
 }
 
-struct Drop {
-  float u, v;    // px, its centre
-  float radius;  // px
-};
-
-Drop dropAt(const ImageSize& size, std::uint32_t seed, std::uint32_t number, double seconds) {
-  const double life = static_cast<double>(between(hash(seed, number, 1), 2, 8));
-  const double phase = life * static_cast<double>(unit(hash(seed, number, 2)));
-  const auto generation = static_cast<std::uint32_t>((seconds + phase) / life);
-  const std::uint32_t own = hash(seed, number, generation + 16);
-  const float radius = kSmallest * std::pow(kLargest / kSmallest, unit(hash(own, 3)));
-  return {unit(hash(own, 1)) * static_cast<float>(size.width),
-          unit(hash(own, 2)) * static_cast<float>(size.height),
-          radius * static_cast<float>(size.scale)};
-}
-
 }  // namespace
 
 void addRain(std::vector<float>& radiance, const RenderCamera& view,
@@ -126,32 +106,6 @@ void addRain(std::vector<float>& radiance, const RenderCamera& view,
     if (std::min(a.z(), b.z()) < 0.3) continue;
     drawLine(radiance, view, view.pinhole.project(a), view.pinhole.project(b),
              view.pinhole.fx * kStreakWidth / z, rain.brightness);
-  }
-}
-
-void addDrops(std::vector<float>& radiance, const ImageSize& size, double seconds,
-              std::uint32_t seed) {
-  const int haze = std::max(1, static_cast<int>(std::lround(5 * size.scale)));
-  const std::vector<float> dim = boxBlur(radiance, size.width, size.height, haze);
-  const ImageSamples behind{dim, size.width, size.height};
-  for (std::uint32_t i = 0; i < kDrops; ++i) {
-    const Drop drop = dropAt(size, seed, i, seconds);
-    const auto reach = static_cast<int>(std::ceil(drop.radius));
-    const auto u = static_cast<int>(drop.u);
-    const auto v = static_cast<int>(drop.v);
-    for (int r = std::max(v - reach, 0); r <= std::min(v + reach, size.height - 1); ++r) {
-      for (int c = std::max(u - reach, 0); c <= std::min(u + reach, size.width - 1); ++c) {
-        const float du = static_cast<float>(c) - drop.u;
-        const float dv = static_cast<float>(r) - drop.v;
-        const float outwards = std::sqrt(du * du + dv * dv) / drop.radius;
-        const float cover = 1 - smoothstep(0.7F, 1, outwards);
-        if (cover <= 0) continue;
-        const float inverted = behind.at(drop.u - kRefraction * du, drop.v - kRefraction * dv);
-        const float rim = 1 - 0.4F * smoothstep(0.4F, 0.9F, outwards);
-        float& value = radiance[behind.index(c, r)];
-        value += cover * (rim * inverted - value);
-      }
-    }
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From radiance to grey levels: rain before the camera, drops on its glass, light that spreads in
-// it, and the sensor.
+// From radiance to grey levels: rain before the camera, light that spreads in its lens, and the
+// sensor.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace tolman::town {
 
-/// Image size in px and its ratio to the full size, on which the sizes of drops and halos depend.
+/// Image size in px and its ratio to the full size, on which the sizes of halos depend.
 struct ImageSize {
   int width = 0;
   int height = 0;
@@ -31,11 +31,6 @@ struct Rain {
 /// same drops; `T_left_camera` is the pose of this one.
 void addRain(std::vector<float>& radiance, const RenderCamera& view,
              const Eigen::Isometry3d& T_left_camera, const Rain& rain);
-
-/// Twelve drops of water on the glass, out of focus, which show the scene inverted; each stays for
-/// 2 to 8 s of the `seconds` since the start.
-void addDrops(std::vector<float>& radiance, const ImageSize& size, double seconds,
-              std::uint32_t seed);
 
 /// Adds the share `bloom` of the radiance above `saturation` to the pixels around it: in a narrow
 /// and a wide halo of 4 and 40 px at scale 1, half of the light in each.

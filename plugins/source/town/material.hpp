@@ -50,9 +50,4 @@ void objectAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& resul
 float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, const Vec3& normal,
                       float footprint, const Light& light, const StreetPlan& plan);
 
-/// Share of light that wet ground reflects to a camera that looks along `way` (unit); 0 for
-/// surfaces that are not ground.
-float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
-                    const Light& light);
-
 }  // namespace tolman::town

@@ -209,12 +209,4 @@ float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, cons
   return albedo;
 }
 
-float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
-                    const Light& light) {
-  if (!isGround(surface) || normal.z < 0.7F) return 0;
-  const float cosine = std::clamp(-dot(way, normal), 0.0F, 1.0F);
-  const float fresnel = 0.02F + 0.98F * std::pow(1 - cosine, 5.0F);  // Schlick, water
-  return light.wet * fresnel * (0.12F + 0.78F * puddle(point));
-}
-
 }  // namespace tolman::town

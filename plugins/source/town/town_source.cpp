@@ -161,10 +161,9 @@ Status TownSource::setConditions(const Context& context) {
   if (!conditions.isOk()) return conditions.status();
   conditions_ = std::move(conditions.value());
   for (const std::string& warning : conditions_.warnings()) context.log.warning(warning);
-  Lens lens;
-  lens.has_drops = conditions_.any([](const Condition& c) { return c.weather == Weather::Rain; });
-  lens.blooms = conditions_.any([](const Condition& c) { return c.is_night; });
-  for (TownCamera& camera : cameras_) camera.setLens(lens);
+  if (conditions_.any([](const Condition& c) { return c.is_night; })) {
+    for (TownCamera& camera : cameras_) camera.bloom();
+  }
   return Status::ok();
 }
 
@@ -263,7 +262,6 @@ Image TownSource::takePicture(std::size_t index, std::size_t camera) {
     traffic_.follow(instantAt(index, begin), instantAt(index, 0), instantAt(index, end), shutter);
   };
   moment.interval_s = intervalAt(index);
-  moment.seconds = secondsAt(index);
   moment.gain = gainAt(index);
   moment.exposure = static_cast<std::uint32_t>(2 * next_ + camera);
   return cameras_[camera].take(renderers_[camera], light_, moment);

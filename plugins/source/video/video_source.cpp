@@ -10,7 +10,7 @@ namespace {
 Status checkCombination(const VideoParameters& p, PathKind kind) {
   const bool stereo = p.layout != PictureLayout::Mono;
   if (stereo && (!p.isGiven() || p.baseline == 0)) {
-    return Status::invalidParameter("two cameras need a calibration; give fx and baseline");
+    return Status::invalidParameter("two cameras need a calibration; give pinhole and baseline");
   }
   if (!stereo && p.baseline > 0) {
     return Status::invalidParameter("baseline is given with layout: mono; set the layout");

@@ -51,7 +51,7 @@ struct VideoParameters : FrameSelection, source_parameters::GivenPinhole {
                 .range(0, 1e5)
                 .unit("px")
                 .doc("Height that a camera is asked for; 0 for its own.")),
-        source_parameters::pinholeParameters<P>(), source_parameters::baselineParameter<P>(),
+        source_parameters::pinholeParameter<P>(), source_parameters::baselineParameter<P>(),
         selectionParameters<P>());
   }
 };

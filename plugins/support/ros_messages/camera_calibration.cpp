@@ -31,7 +31,7 @@ Status checkForm(const char* name, const Eigen::Matrix3d& matrix) {
   if (sound || matrix(0, 0) <= 0) return Status::ok();  // checkPinhole() tells the latter
   return Status::invalidInput(std::string("has a matrix ") + name +
                               " that is not of the form fx 0 cx, 0 fy cy, 0 0 1; correct it, or "
-                              "give fx of rectified images");
+                              "give pinhole of rectified images");
 }
 
 Projection matrixP(const CameraInfoMessage& info) {
@@ -63,7 +63,7 @@ Status checkRotation(const CameraInfoMessage& info) {
   const Eigen::Matrix3d R = rotationOf(info);
   if (R.isZero(0) || isRotation(R)) return Status::ok();
   return Status::invalidInput(
-      "has no rotation in R; correct it, calibrate the cameras again, or give fx of rectified "
+      "has no rotation in R; correct it, calibrate the cameras again, or give pinhole of rectified "
       "images");
 }
 
@@ -76,7 +76,8 @@ Status checkForms(const CameraInfoMessage& info) {
 Status checkSize(const CameraInfoMessage& info, int width, int height) {
   if (info.is_part) {
     return Status::unsupported(
-        "has binning or a region of interest, which are not used; record whole images, or give fx "
+        "has binning or a region of interest, which are not used; record whole images, or give "
+        "pinhole "
         "of these");
   }
   if (static_cast<std::int64_t>(info.width) == width &&
@@ -86,7 +87,7 @@ Status checkSize(const CameraInfoMessage& info, int width, int height) {
   return Status::invalidInput("is of " + std::to_string(info.width) + "x" +
                               std::to_string(info.height) + " px, and the images have " +
                               std::to_string(width) + "x" + std::to_string(height) +
-                              "; give fx of rectified images, or record the right one");
+                              "; give pinhole of rectified images, or record the right one");
 }
 
 Status checkPinhole(const Pinhole& K, int width, int height) {
@@ -94,7 +95,7 @@ Status checkPinhole(const Pinhole& K, int width, int height) {
   if (sound) return Status::ok();
   return Status::invalidInput(
       "has no focal length, or a principal point outside of the image: the camera was not "
-      "calibrated; give fx of rectified images");
+      "calibrated; give pinhole of rectified images");
 }
 
 namespace {
@@ -131,7 +132,7 @@ Result<double> baselineOf(const CameraInfos& infos) {
   if (!hasP(right)) {
     return Status::invalidInput(
         "has no P, so the baseline is not known; record the CameraInfo of a calibrated pair, give "
-        "fx and baseline, or set mono: true");
+        "pinhole and baseline, or set mono: true");
   }
   const Eigen::Vector3d t = offsetOf(infos.left) - offsetOf(right);
   const double baseline = t.x();
@@ -147,16 +148,17 @@ Result<double> baselineOf(const CameraInfos& infos) {
   if (!aligned) {
     return Status::invalidInput("is " + shortText(t.y()) + " m below and " + shortText(t.z()) +
                                 " m before the left camera by P[7] and P[11]; calibrate the two as "
-                                "a pair, or give fx and baseline");
+                                "a pair, or give pinhole and baseline");
   }
   if (baseline == 0) {
-    return Status::invalidInput(found +
-                                ": that of a single camera; calibrate the two as a pair, give fx "
-                                "and baseline, or set mono: true");
+    return Status::invalidInput(
+        found +
+        ": that of a single camera; calibrate the two as a pair, give pinhole "
+        "and baseline, or set mono: true");
   }
   return Status::invalidInput(found +
                               "; it must be 1 mm to 5 m: P[3] is -fx times the baseline in metres, "
-                              "not in mm or cm; correct it, or give fx and baseline");
+                              "not in mm or cm; correct it, or give pinhole and baseline");
 }
 
 Result<RawCamera> rawCamera(const CameraInfoMessage& info, int width, int height) {

@@ -55,14 +55,14 @@ Status setGiven(const CameraParameters& p, bool pair, CameraRig& rig) {
   const bool inside = rig.pinhole.cx < rig.width && rig.pinhole.cy < rig.height;
   if (!inside) return Status::invalidParameter("cx, cy is outside of the image; correct it");
   if (!pair || p.baseline > 0) return Status::ok();
-  return Status::invalidParameter("fx is given for two cameras without baseline; give both");
+  return Status::invalidParameter("pinhole is given for two cameras without baseline; give both");
 }
 
 Result<CameraInfos> readInfos(const CameraTopic& left, const CameraTopic* right) {
   const auto of_left = readCameraInfo(*left.info);
   if (!of_left) {
     return Status::invalidInput(left.info_name +
-                                ": is no complete CameraInfo; give fx of rectified images");
+                                ": is no complete CameraInfo; give pinhole of rectified images");
   }
   CameraInfos infos{*of_left, std::nullopt, left.info_name};
   if (right == nullptr) return infos;
@@ -70,7 +70,7 @@ Result<CameraInfos> readInfos(const CameraTopic& left, const CameraTopic* right)
   infos.right = readCameraInfo(*right->info);
   if (infos.right) return infos;
   return Status::invalidInput(right->info_name +
-                              ": is no complete CameraInfo; give fx and baseline");
+                              ": is no complete CameraInfo; give pinhole and baseline");
 }
 
 Status setFromInfos(const CameraTopic& left, const CameraTopic* right, ImageSize size,
@@ -105,7 +105,7 @@ Status checkCombination(const CameraParameters& p) {
     return Status::invalidParameter("mono and right are both given; keep one");
   }
   if (p.baseline > 0 && p.fx == 0) {
-    return Status::invalidParameter("baseline is given without fx; give both");
+    return Status::invalidParameter("baseline is given without pinhole; give both");
   }
   return Status::ok();
 }
@@ -123,7 +123,7 @@ Result<CameraRigs> makeRigs(const CameraParameters& parameters, ImageSize size,
   } else if (right != nullptr) {
     status = Status::invalidInput(
         "there is no CameraInfo beside " + left.images + " and " + right->images +
-        "; set left_info and right_info, give fx and baseline, or set mono: true");
+        "; set left_info and right_info, give pinhole and baseline, or set mono: true");
   }
   if (!status.isOk()) return status;
   return rigs;

@@ -54,8 +54,9 @@ constexpr auto cameraImages(std::string_view tolerance_doc) {
                      .range(8, 16)
                      .doc("Bits that images of 16 bits use, from the lowest; the 8 highest of them "
                           "are taken.")),
-      pinholeParameters<P>(
-          "Focal length of rectified images, in place of CameraInfo; 0: by CameraInfo."),
+      pinholeParameter<P>("[fx, fy, cx, cy] of rectified images, or [f] about their middle, in "
+                          "place of CameraInfo; "
+                          "empty: by CameraInfo."),
       baselineParameter<P>());
 }
 

@@ -56,7 +56,7 @@ void writeTum(const DataFolder& data) {
   data.write("depth.txt", depth);
 }
 
-const ParameterValues kSmall = {{"cx", 31.5}, {"cy", 23.5}};
+const ParameterValues kSmall = {{"pinhole", std::vector<double>{525, 525, 31.5, 23.5}}};
 
 }  // namespace
 
@@ -149,7 +149,7 @@ TEST_CASE("depth goes along in metres; images without depth are left out") {
   REQUIRE(tum.findings.size() == 1);
   CHECK_THAT(tum.findings[0], Catch::Contains("no depth near the time of 1 colour"));
   data.remove("depth.txt");
-  const Tum plain(data, {{"cx", 31.5}, {"cy", 23.5}, {"fx", 50.0}});
+  const Tum plain(data, {{"pinhole", std::vector<double>{50, 50, 31.5, 23.5}}});
   CHECK(plain.frames.size() == 3);
   CHECK(plain.frames[0].sensors.empty());
   CHECK(plain.info.rig.pinhole.fx == 50);

@@ -79,14 +79,16 @@ TEST_CASE("a list gives the order of any names, and the right images go with the
     std::filesystem::rename(data.path(folder + std::string("000003.png")),
                             data.path(folder + std::string("a.png")));
   }
-  const ParameterValues values =
-      with(kPair, {{"fx", 40.0}, {"baseline", 0.2}, {"list", std::string("list.csv")}});
+  const ParameterValues values = with(
+      kPair,
+      {{"pinhole", std::vector<double>{40}}, {"baseline", 0.2}, {"list", std::string("list.csv")}});
   data.write("list.csv", "file,light\nfirst.png,0\nimage_0/a.png,1\n000001.png,1\n");
   const Images listed(data, values);
   CHECK(listed.message.empty());
   REQUIRE(listed.frames.size() == 3);
   const DataFolder original;
-  const Images plain(original, with(kPair, {{"fx", 40.0}, {"baseline", 0.2}}));
+  const Images plain(original,
+                     with(kPair, {{"pinhole", std::vector<double>{40}}, {"baseline", 0.2}}));
   REQUIRE(plain.frames.size() == 4);
   for (const auto& [listed_index, index] : {std::pair(0, 0), std::pair(1, 3), std::pair(2, 1)}) {
     const Frame& frame = listed.frames[static_cast<std::size_t>(listed_index)];
@@ -124,7 +126,8 @@ TEST_CASE("a rectified pair, calibrated by a file or by numbers") {
   CHECK(by_file.message.empty());
   CHECK(by_file.info.rig.baseline == Approx(0.5));
   CHECK_FALSE(by_file.frames[0].right.empty());
-  const Images by_numbers(data, with(kPair, {{"fx", 40.0}, {"baseline", 0.2}, {"cy", 20.0}}));
+  const Images by_numbers(
+      data, with(kPair, {{"pinhole", std::vector<double>{40, 40, 31.5, 20}}, {"baseline", 0.2}}));
   const CameraRig& rig = by_numbers.info.rig;
   CHECK(rig.calibrated);
   CHECK(rig.pinhole.fx == 40);
@@ -183,17 +186,19 @@ TEST_CASE("contradictions of parameters are refused") {
     return images.message;
   };
   const std::string uncalibrated =
-      "two cameras need a calibration; give the file, or fx and baseline";
+      "two cameras need a calibration; give the file, or pinhole and baseline";
   CHECK(refusal(kPair) == uncalibrated);
-  CHECK(refusal(with(kPair, {{"fx", 40.0}})) == uncalibrated);
+  CHECK(refusal(with(kPair, {{"pinhole", std::vector<double>{40}}})) == uncalibrated);
   CHECK(refusal({{"baseline", 0.2}}) == "baseline is given without right; name the right folder");
-  CHECK(refusal(with(kPair, {{"calibration", std::string("calib.txt")}, {"fx", 4.0}})) ==
+  CHECK(refusal(with(kPair, {{"calibration", std::string("calib.txt")},
+                             {"pinhole", std::vector<double>{4}}})) ==
         "calibration and fx or baseline are both given; keep one");
   CHECK(refusal({{"stamps_column", std::string("t")}}) ==
         "stamps_column is given without stamps; name the file");
-  CHECK(refusal(with(kLeft, {{"fx", 40.0}, {"cx", 640.0}})) ==
-        "the principal point cx, cy is outside of the image of 64x48 px; give the calibration of "
-        "this camera");
+  CHECK(
+      refusal(with(kLeft, {{"pinhole", std::vector<double>{40, 40, 640, 20}}})) ==
+      "the principal point of pinhole is outside of the image of 64x48 px; give the calibration of "
+      "this camera");
 }
 
 }  // namespace tolman::image_folders

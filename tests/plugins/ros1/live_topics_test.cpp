@@ -64,7 +64,7 @@ TEST_CASE("a pair needs a calibration") {
   without.erase("/right/camera_info");
   CHECK(chosen(without) ==
         "nobody publishes a CameraInfo beside /left/image_raw and /right/image_raw; set left_info "
-        "and right_info, give fx and baseline, or set mono: true");
+        "and right_info, give pinhole and baseline, or set mono: true");
   Ros1Parameters given;
   given.right_info = "/left/camera_info";
   CHECK(chosen(without, given) ==

@@ -68,8 +68,10 @@ TEST_CASE("a camera that changes within a bag is refused, unless the calibration
   test::writeDb3(folder.path() / "other.db3", messages);
   CHECK(Played(folder.path() / "other.db3").message ==
         "/right/camera_info: a later message has another camera matrix than the first; cut the bag "
-        "there, or give fx and baseline");
-  CHECK(Played(folder.path() / "other.db3", {{"fx", 7.0}, {"baseline", 0.12}}).message.empty());
+        "there, or give pinhole and baseline");
+  CHECK(
+      Played(folder.path() / "other.db3", {{"pinhole", std::vector<double>{7}}, {"baseline", 0.12}})
+          .message.empty());
 }
 
 TEST_CASE("a recording in several files is one") {
@@ -102,7 +104,7 @@ TEST_CASE("raw images are offered for rectification") {
   REQUIRE(raw.cameras.size() == 1);
   CHECK(raw.cameras[0].distortion[0] == 0.1);
   // Numbers of the configuration stand in place of the messages.
-  Played numbers(folder.path(), {{"fx", 9.0}});
+  Played numbers(folder.path(), {{"pinhole", std::vector<double>{9}}});
   CHECK(numbers.info.rig.pinhole.fx == 9);
   REQUIRE(numbers.source.rawRig(raw).isOk());
   CHECK(raw.cameras.empty());
@@ -114,12 +116,12 @@ TEST_CASE("a pair without calibration, and how it is used") {
                  {greyImage("/cam0/image", 0), greyImage("/cam1/image", 0)});
   CHECK(Played(folder.path()).message ==
         "there is no CameraInfo beside /cam0/image and /cam1/image; set left_info and right_info, "
-        "give fx and baseline, or set mono: true");
+        "give pinhole and baseline, or set mono: true");
   CHECK(Played(folder.path(), {{"mono", true}}).frames.size() == 1);
-  const Played numbers(folder.path(), {{"fx", 7.0}, {"baseline", 0.1}});
+  const Played numbers(folder.path(), {{"pinhole", std::vector<double>{7}}, {"baseline", 0.1}});
   CHECK(numbers.info.rig.isStereo());
   CHECK(Played(folder.path(), {{"baseline", 0.1}}).message ==
-        "baseline is given without fx; give both");
+        "baseline is given without pinhole; give both");
 }
 
 TEST_CASE("notes list the topics and their use") {

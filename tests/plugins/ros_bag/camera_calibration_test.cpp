@@ -93,7 +93,8 @@ TEST_CASE("calibration that is none") {
     return rectifiedRig({messageOf(camera), std::nullopt}, width, 480).status().message();
   };
   CHECK(message(test::plainCamera(640, 480, 500, 0), 320) ==
-        "is of 640x480 px, and the images have 320x480; give fx of rectified images, or record the "
+        "is of 640x480 px, and the images have 320x480; give pinhole of rectified images, or "
+        "record the "
         "right one");
   test::RosCamera zero = test::plainCamera(640, 480, 0, 0);
   CHECK(message(zero, 640).find("was not calibrated") != std::string::npos);
@@ -108,10 +109,11 @@ TEST_CASE("a baseline that is none says what was found, and the remedy that help
         .message();
   };
   CHECK(refusal(left, right).empty());
-  CHECK(refusal(left, messageOf(test::plainCamera(640, 480, 500, 537))) ==
-        "/r/camera_info: has P[3] = -268500 and fx = 500, a baseline of 537 m; it must be 1 mm to "
-        "5 m: P[3] is -fx times the baseline in metres, not in mm or cm; correct it, or give fx "
-        "and baseline");
+  CHECK(
+      refusal(left, messageOf(test::plainCamera(640, 480, 500, 537))) ==
+      "/r/camera_info: has P[3] = -268500 and fx = 500, a baseline of 537 m; it must be 1 mm to "
+      "5 m: P[3] is -fx times the baseline in metres, not in mm or cm; correct it, or give pinhole "
+      "and baseline");
   // The sign of P[3] is not decisive: the images say whether left and right are exchanged.
   CHECK(refusal(right, left).empty());
   const auto wrong_sign = messageOf(test::plainCamera(640, 480, 500, -0.537));
@@ -120,7 +122,7 @@ TEST_CASE("a baseline that is none says what was found, and the remedy that help
   CHECK_FALSE(hasWrongSign({left, right}));
   CHECK(refusal(left, left) ==
         "/r/camera_info: has P[3] = 0 and fx = 500, a baseline of 0 m: that of a single camera; "
-        "calibrate the two as a pair, give fx and baseline, or set mono: true");
+        "calibrate the two as a pair, give pinhole and baseline, or set mono: true");
   CameraInfoMessage without = right;
   without.P.fill(0);
   CHECK(refusal(left, without).starts_with("/r/camera_info: has no P, so the baseline is not"));

@@ -47,7 +47,7 @@ TEST_CASE("cameras by parameters, also beside a CameraInfo") {
   CHECK(one.value().suffix().empty());
   const CameraTopic right = plain("right");
   CHECK(refusal(given, left.topic, &right) ==
-        "fx is given for two cameras without baseline; give both");
+        "pinhole is given for two cameras without baseline; give both");
   given.baseline = 0.3;
   CHECK(makeRigs(given, kSize, left.topic, &right).value().rectified.baseline == 0.3);
   CHECK(makeRigs(given, kSize, left.topic, nullptr).value().rectified.baseline == 0);
@@ -83,13 +83,13 @@ TEST_CASE("a calibration that is not complete is told with the topic and a remed
   const CameraTopic without = plain("right");
   CHECK(refusal({}, left.topic, &without) ==
         "there is no CameraInfo beside /left/image_raw and /right/image_raw; set left_info and "
-        "right_info, give fx and baseline, or set mono: true");
+        "right_info, give pinhole and baseline, or set mono: true");
   const Described cut("left", left.bytes.substr(0, left.bytes.size() / 2));
   CHECK(refusal({}, cut.topic, nullptr) ==
-        "/left/camera_info: is no complete CameraInfo; give fx of rectified images");
+        "/left/camera_info: is no complete CameraInfo; give pinhole of rectified images");
   const Described cut_right("right", right.bytes.substr(0, right.bytes.size() / 2));
   CHECK(refusal({}, left.topic, &cut_right.topic) ==
-        "/right/camera_info: is no complete CameraInfo; give fx and baseline");
+        "/right/camera_info: is no complete CameraInfo; give pinhole and baseline");
   CHECK(makeRigs({}, {320, 240}, left.topic, nullptr)
             .status()
             .message()
@@ -104,7 +104,7 @@ TEST_CASE("parameters that contradict each other") {
   CHECK(checkCombination(both).message() == "mono and right are both given; keep one");
   CameraParameters half;
   half.baseline = 0.5;
-  CHECK(checkCombination(half).message() == "baseline is given without fx; give both");
+  CHECK(checkCombination(half).message() == "baseline is given without pinhole; give both");
 }
 
 }  // namespace tolman::ros_bag

@@ -148,18 +148,3 @@ TEST_CASE("snow lies on what faces upwards, less in the tracks of the road") {
   CHECK(albedo(Material::Leaves, kUp) < albedo(Material::Land, kUp));
   CHECK(albedo(Material::Road, kUp) > 0.5F);  // between the tracks
 }
-
-TEST_CASE("wet ground mirrors at grazing angles, dry ground and walls never") {
-  Light wet;
-  wet.wet = 1;
-  const auto share = [&](Material material, const Vec3& way, const Light& light) {
-    return mean(
-        [&](const Vec3& p) { return mirroredShare(of(material), p, kUp, normalised(way), light); });
-  };
-  const float grazing = share(Material::Road, {0, 1, -0.05F}, wet);
-  CHECK(grazing > 4 * share(Material::Road, {0, 1, -1}, wet));
-  CHECK(grazing < 1);
-  CHECK(share(Material::Road, {0, 1, -0.05F}, Light{}) == 0);
-  CHECK(share(Material::Facade, {0, 1, -0.05F}, wet) == 0);
-  CHECK(mirroredShare(of(Material::Kerb), {0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, wet) == 0);
-}

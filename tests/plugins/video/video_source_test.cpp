@@ -65,8 +65,9 @@ TEST_CASE("a stereo pair in one picture") {
   both.colRange(0, 64).setTo(10 + 4 * 3);
   both.colRange(64, 128).setTo(10 + 4 * 20);
   writeVideo(folder.path() / "pair.mkv", "FFV1", 10, {both, both});
-  const ParameterValues pair = {
-      {"layout", std::string("side_by_side")}, {"fx", 50.0}, {"baseline", 0.12}, {"cy", 20.0}};
+  const ParameterValues pair = {{"layout", std::string("side_by_side")},
+                                {"pinhole", std::vector<double>{50, 50, 31.5, 20}},
+                                {"baseline", 0.12}};
   const Played played(folder.path() / "pair.mkv", pair);
   CHECK(played.message.empty());
   const CameraRig& rig = played.info.rig;
@@ -81,7 +82,7 @@ TEST_CASE("a stereo pair in one picture") {
   ParameterValues uncalibrated = pair;
   uncalibrated["baseline"] = 0.0;
   CHECK(Played(folder.path() / "pair.mkv", uncalibrated).message ==
-        "two cameras need a calibration; give fx and baseline");
+        "two cameras need a calibration; give pinhole and baseline");
 }
 
 TEST_CASE("contradictions are refused before the first frame") {
@@ -92,10 +93,11 @@ TEST_CASE("contradictions are refused before the first frame") {
         "video.mkv: a video is read forward only; remove order, or make a folder of images of it");
   CHECK(Played(clip.file, {{"width", std::int64_t{640}}}).message ==
         "width and height are those of a camera; remove them");
-  CHECK(Played(clip.file, {{"fx", 100.0}, {"cx", 64.0}}).message ==
-        "the principal point cx, cy is outside of the image of 64x48 px; give the calibration of "
-        "this "
-        "camera");
+  CHECK(
+      Played(clip.file, {{"pinhole", std::vector<double>{100, 100, 64, 20}}}).message ==
+      "the principal point of pinhole is outside of the image of 64x48 px; give the calibration of "
+      "this "
+      "camera");
   CHECK(Played("/dev/null").message.find("is no camera") != std::string::npos);
 }
 
