@@ -30,7 +30,7 @@ Status CanSheet::configure(const Context& context) {
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
   const Parameters& p = parameters_;
-  at_rest_.emplace(SheetSettings{p.units, p.intensity, p.width, p.inhibition, p.stabilisation});
+  at_rest_.emplace(SheetSettings{.units = p.units});
   return reset();
 }
 
@@ -101,7 +101,7 @@ bool CanSheet::injects(const PlaceObservation& view) const {
   if (view.recognition != Recognition::Familiar || link == state_->links.end()) return false;
   const double since = state_->travel - link->second.travel;
   return since >= parameters_.loop_minimum_travel &&
-         state_->travel - state_->travel_at_view >= parameters_.view_spacing;
+         state_->travel - state_->travel_at_view >= kViewSpacing;
 }
 
 /// Phase of the robot in the module, by the view's link and its relative pose.

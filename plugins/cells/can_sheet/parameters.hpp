@@ -9,18 +9,16 @@
 
 namespace tolman::can_sheet {
 
+/// m driven between two views that inject.
+inline constexpr double kViewSpacing = 1;  // m; chosen, not tuned
+
 struct CanSheetParameters {
   double period = 100;            // m; chosen, not tuned
   int modules = 3;                // chosen, not tuned
   double ratio = 1.42;            // of the rat (Stensola et al. 2012)
   double orientation = 0.13;      // rad; 7.5 degrees in the rat
   int units = 40;                 // chosen, not tuned: bounds the time (README.md)
-  double intensity = 0.3;         // the paper's I
-  double width = 0.24;            // periods; the paper's sigma
-  double inhibition = 0.05;       // the paper's T
-  double stabilisation = 0.8;     // the paper's tau
   double injection = 0.05;        // best of six pairs on KITTI 00 and 06 (README.md)
-  double view_spacing = 1;        // m; chosen, not tuned
   double agreement = 0.1;         // periods; as `injection`
   double experience_spacing = 5;  // m; this and those below: chosen, not tuned
   double experience_turn = 0.5;
@@ -49,20 +47,7 @@ struct CanSheetParameters {
             .range(8, 48)
             .unit("cells")
             .doc("Units along each of the two axes of a module; the time of a step grows with the "
-                 "fourth power of their number."),
-        parameter("intensity", &P::intensity)
-            .range(0.05, 10)
-            .doc("I of the weights, for 90 units a module; divided among more."),
-        parameter("width", &P::width)
-            .range(0.05, 0.5)
-            .unit("periods")
-            .doc("Sigma of the weights, which sets the size of fields."),
-        parameter("inhibition", &P::inhibition)
-            .range(0, 10)
-            .doc("T of the weights, for 90 units a module; divided among more."),
-        parameter("stabilisation", &P::stabilisation)
-            .range(0.1, 1)
-            .doc("Tau: share of the normalised activity in the next one."));
+                 "fourth power of their number."));
   }
 
   static constexpr auto decisions() {
@@ -72,10 +57,6 @@ struct CanSheetParameters {
             .range(0, 10)
             .doc("What a familiar view adds at its place, as a share of the activity; 0: views "
                  "close loops only where they agree."),
-        parameter("view_spacing", &P::view_spacing)
-            .range(0, 1e6)
-            .unit("m")
-            .doc("Shortest travelled distance between two views that inject."),
         parameter("agreement", &P::agreement)
             .range(0.001, 0.5)
             .unit("periods")

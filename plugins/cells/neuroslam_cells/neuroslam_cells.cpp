@@ -23,19 +23,10 @@ Status NeuroslamCells::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
-  const Parameters& p = parameters_;
-  for (const int width : {p.grid_excitation_width, p.grid_inhibition_width, p.head_excitation_width,
-                          p.head_inhibition_width}) {
-    if (width % 2 == 0) {
-      return Status::invalidParameter(
-          "grid_excitation_width, grid_inhibition_width, head_excitation_width and "
-          "head_inhibition_width must be odd");
-    }
-  }
-  grid_excitation_ = gaussianKernel(p.grid_excitation_width, p.grid_excitation_sigma);
-  grid_inhibition_ = gaussianKernel(p.grid_inhibition_width, p.grid_inhibition_sigma);
-  head_excitation_ = gaussianKernel(p.head_excitation_width, p.head_excitation_sigma);
-  head_inhibition_ = gaussianKernel(p.head_inhibition_width, p.head_inhibition_sigma);
+  grid_excitation_ = gaussianKernel(kGridExcitationWidth, kGridExcitationSigma);
+  grid_inhibition_ = gaussianKernel(kGridInhibitionWidth, kGridInhibitionSigma);
+  head_excitation_ = gaussianKernel(kHeadExcitationWidth, kHeadExcitationSigma);
+  head_inhibition_ = gaussianKernel(kHeadInhibitionWidth, kHeadInhibitionSigma);
   return reset();
 }
 
@@ -63,8 +54,8 @@ double NeuroslamCells::radians(double heading) const {
 }
 
 ConjunctivePlace NeuroslamCells::estimate() const {
-  const CellPlace head = state_->head.peak(parameters_.head_packet);
-  const CellPlace grid = state_->grid.peak(parameters_.grid_packet);
+  const CellPlace head = state_->head.peak(kHeadPacket);
+  const CellPlace grid = state_->grid.peak(kGridPacket);
   return {grid[0], grid[1], grid[2], head[0]};
 }
 
@@ -91,7 +82,7 @@ void NeuroslamCells::inject(const HabituatingViews<ConjunctivePlace>::Injection&
   state_->grid.add({place.x, place.y, place.height},
                    static_cast<float>(p.grid_injected_energy * injection.energy));
   state_->head.add({place.heading + turned, place.height, 0},
-                   static_cast<float>(p.head_injected_energy * injection.energy));
+                   static_cast<float>(kHeadInjectedEnergy * injection.energy));
 }
 
 Status NeuroslamCells::step(const Motion& motion, const PlaceObservation& observation,
@@ -101,7 +92,6 @@ Status NeuroslamCells::step(const Motion& motion, const PlaceObservation& observ
     return Status::invalidInput("a view was recognised, but its template_id is negative");
   }
   State& state = *state_;
-  const Parameters& p = parameters_;
   decision.frame = motion.frame;
   decision.stamp_ns = motion.stamp_ns;
   integrate(motion);  // before the view, which is taken at the end of the motion
@@ -112,10 +102,8 @@ Status NeuroslamCells::step(const Motion& motion, const PlaceObservation& observ
     const auto injection = state.views.see(observation.template_id, straight);
     if (injection) inject(*injection, turned);
   }
-  state.head.attract(head_excitation_, head_inhibition_,
-                     static_cast<float>(p.head_global_inhibition));
-  state.grid.attract(grid_excitation_, grid_inhibition_,
-                     static_cast<float>(p.grid_global_inhibition));
+  state.head.attract(head_excitation_, head_inhibition_, static_cast<float>(kHeadGlobalInhibition));
+  state.grid.attract(grid_excitation_, grid_inhibition_, static_cast<float>(kGridGlobalInhibition));
   state.estimate = estimate();
   if (seen) {
     ConjunctivePlace straight = state.estimate;

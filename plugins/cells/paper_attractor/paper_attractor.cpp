@@ -11,7 +11,7 @@ NetworkSettings networkSettings(const PaperAttractorParameters& p, double energy
   settings.period = p.period;
   settings.energy = energy;
   settings.initial_calibration = p.initial_calibration;
-  settings.floor = p.floor;
+  settings.floor = kFloor;
   settings.inhibition_of_calibration = p.inhibition_of_calibration;
   settings.inhibition_of_integrator = p.inhibition_of_integrator;
   return settings;
@@ -34,12 +34,12 @@ Status PaperAttractor::configure(const Context& context) {
 
 PaperAttractor::State PaperAttractor::freshState() const {
   const Parameters& p = parameters_;
-  const HabituationSettings habituation = {p.habituation_increment, p.habituation_recovery,
+  const HabituationSettings habituation = {kHabituationIncrement, kHabituationRecovery,
                                            p.newest_ignored, p.first_views_ignored};
-  const ExperienceSettings experience = {p.experience_spacing, p.experience_turn, p.novel_spacing,
+  const ExperienceSettings experience = {p.experience_spacing, p.experience_turn, kNovelSpacing,
                                          p.loop_minimum_travel, p.loop_spacing};
-  return {SpatialCells(HeadDirectionRing(networkSettings(p, p.energy_heading)),
-                       GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell),
+  return {SpatialCells(HeadDirectionRing(networkSettings(p, kEnergyHeading)),
+                       GridTorus(networkSettings(p, kEnergyPosition), p.metres_per_cell),
                        {p.decision_heading, p.decision_position}),
           ViewLinks(habituation), ExperienceLog(experience)};
 }
@@ -106,7 +106,7 @@ bool PaperAttractor::perceive(const Motion& motion, const PlaceObservation& obse
     cells.inject(cells.displaced(link.learned, toPlanar(fromTemplate(observation))),
                  parameters_.injected_strength);
   }
-  if (motion.state == TrackingState::Lost) cells.weakenIntegrators(parameters_.lost_trust);
+  if (motion.state == TrackingState::Lost) cells.weakenIntegrators(kLostTrust);
   cells.settle();
   return injects;
 }

@@ -10,26 +10,28 @@
 
 namespace tolman::paper_attractor {
 
+/// Total precisions E (1/rad^2, 1/cell^2), and what no drive asks to change.
+inline constexpr double kEnergyHeading = 100;
+inline constexpr double kEnergyPosition = 1;
+inline constexpr double kFloor = 1e-4;
+inline constexpr double kLostTrust = 0.5;             // chosen, not tuned
+inline constexpr double kHabituationIncrement = 1.0;  // RatSLAM's
+inline constexpr double kHabituationRecovery = 0.04;  // RatSLAM's for St Lucia
+inline constexpr double kNovelSpacing = 1;
+
 struct PaperAttractorParameters {
-  double energy_heading = 100;
-  double energy_position = 1;
   double period = 15;
   double metres_per_cell = 10;
   double initial_calibration = 0.1;
-  double floor = 1e-4;
   double injected_strength = 0.4;
   double inhibition_of_calibration = 0.2;
   double inhibition_of_integrator = 0.2;  // as the other one: the paper's symmetric form
-  double lost_trust = 0.5;                // chosen, not tuned
   double decision_heading = 0.1;          // rad; chosen, not tuned
   double decision_position = 0.2;         // cells; chosen, not tuned
   int newest_ignored = 10;
   int first_views_ignored = 50;
-  double habituation_increment = 1.0;  // RatSLAM's
-  double habituation_recovery = 0.04;  // RatSLAM's for St Lucia
-  double experience_spacing = 5;       // m; this and those below: chosen, not tuned
+  double experience_spacing = 5;  // m; this and those below: chosen, not tuned
   double experience_turn = 0.5;
-  double novel_spacing = 1;
   double loop_minimum_travel = 30;
   double loop_spacing = 5;
 
@@ -37,14 +39,6 @@ struct PaperAttractorParameters {
   static constexpr auto networkParameters() {
     using P = PaperAttractorParameters;
     return parameters(
-        parameter("energy_heading", &P::energy_heading)
-            .range(0.01, 1e6)
-            .unit("1/rad^2")
-            .doc("Total precision E of the head direction ring; 100 is a bump of 0.1 rad."),
-        parameter("energy_position", &P::energy_position)
-            .range(0.01, 1e6)
-            .unit("1/cell^2")
-            .doc("Total precision E of each axis of the grid torus."),
         parameter("period", &P::period)
             .range(1, 1e4)
             .unit("cells")
@@ -56,9 +50,6 @@ struct PaperAttractorParameters {
         parameter("initial_calibration", &P::initial_calibration)
             .range(0, 1)
             .doc("Precision of the calibration cells at the start, as a share of E."),
-        parameter("floor", &P::floor)
-            .range(1e-9, 1e-2)
-            .doc("Smallest precision that inhibition leaves."),
         parameter("injected_strength", &P::injected_strength)
             .range(0, 100)
             .doc("Energy that a familiar view injects, in units of E."),
@@ -67,10 +58,7 @@ struct PaperAttractorParameters {
             .doc("Delta_cali: how strongly the integrator cells inhibit the calibration cells."),
         parameter("inhibition_of_integrator", &P::inhibition_of_integrator)
             .range(0, 1)
-            .doc("Delta_inte: how strongly the calibration cells inhibit the integrator cells."),
-        parameter("lost_trust", &P::lost_trust)
-            .range(0, 1)
-            .doc("Factor on the integrator's precision at each view while odometry is lost."));
+            .doc("Delta_inte: how strongly the calibration cells inhibit the integrator cells."));
   }
 
   static constexpr auto decisionParameters() {
@@ -91,13 +79,7 @@ struct PaperAttractorParameters {
         parameter("first_views_ignored", &P::first_views_ignored)
             .range(0, 1000000)
             .unit("views")
-            .doc("No view injects before this many have been seen."),
-        parameter("habituation_increment", &P::habituation_increment)
-            .range(0, 30)
-            .doc("Habituation that a view gains when it comes twice in a row."),
-        parameter("habituation_recovery", &P::habituation_recovery)
-            .range(0, 30)
-            .doc("Recovery from habituation with each view."));
+            .doc("No view injects before this many have been seen."));
   }
 
   static constexpr auto experienceParameters() {
@@ -111,10 +93,6 @@ struct PaperAttractorParameters {
             .range(0, 4)
             .unit("rad")
             .doc("A new experience is made after this turn since the last."),
-        parameter("novel_spacing", &P::novel_spacing)
-            .range(0, 1e6)
-            .unit("m")
-            .doc("A novel view makes a new experience at this distance from the last."),
         parameter("loop_minimum_travel", &P::loop_minimum_travel)
             .range(0, 1e9)
             .unit("m")

@@ -7,15 +7,17 @@
 
 namespace tolman::pose_cells {
 
+/// Kernels (cells, cells^2) and inhibition of the network, as published.
+inline constexpr int kExcitationWidth = 7;
+inline constexpr double kExcitationVariance = 1;
+inline constexpr int kInhibitionWidth = 5;
+inline constexpr double kInhibitionVariance = 2;
+inline constexpr double kGlobalInhibition = 2e-5;
+
 struct PoseCellParameters {
   int side = 30;
   int headings = 36;
   double cell_size = 2;
-  int excitation_width = 7;
-  double excitation_variance = 1;
-  int inhibition_width = 5;
-  double inhibition_variance = 2;
-  double global_inhibition = 2e-5;
   double least_shift = 1;         // cells; chosen on KITTI 00 and 06 (README.md); 0 as published
   double injected_energy = 0.25;  // best of 29 combinations on 00 and 06; 0.15 as published
   double unsupported = 0.1;       // as `injected_energy`; 1 as published
@@ -33,25 +35,6 @@ struct PoseCellParameters {
             .range(1e-4, 1e4)
             .unit("m")
             .doc("Side of a cell; 2 for a car, 0.015 for a toy."),
-        parameter("excitation_width", &P::excitation_width)
-            .range(1, 7)
-            .unit("cells")
-            .doc("Width of the excitatory kernel, odd."),
-        parameter("excitation_variance", &P::excitation_variance)
-            .range(0.01, 100)
-            .unit("cells^2")
-            .doc("Its variance."),
-        parameter("inhibition_width", &P::inhibition_width)
-            .range(1, 7)
-            .unit("cells")
-            .doc("Width of the inhibitory kernel, odd."),
-        parameter("inhibition_variance", &P::inhibition_variance)
-            .range(0.01, 100)
-            .unit("cells^2")
-            .doc("Its variance."),
-        parameter("global_inhibition", &P::global_inhibition)
-            .range(0, 1)
-            .doc("Taken from every cell in each step; the total activity is 1."),
         parameter("least_shift", &P::least_shift)
             .range(0, 2)
             .unit("cells")

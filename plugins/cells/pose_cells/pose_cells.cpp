@@ -25,11 +25,8 @@ Status PoseCells::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
-  if (parameters_.excitation_width % 2 == 0 || parameters_.inhibition_width % 2 == 0) {
-    return Status::invalidParameter("excitation_width and inhibition_width must be odd");
-  }
-  excitation_ = gaussianKernel(parameters_.excitation_width, parameters_.excitation_variance);
-  inhibition_ = gaussianKernel(parameters_.inhibition_width, parameters_.inhibition_variance);
+  excitation_ = gaussianKernel(kExcitationWidth, kExcitationVariance);
+  inhibition_ = gaussianKernel(kInhibitionWidth, kInhibitionVariance);
   return reset();
 }
 
@@ -55,7 +52,7 @@ void PoseCells::attract() {
   ActivityVolume& volume = state_->volume;
   volume.excite(excitation_);
   volume.inhibit(inhibition_);
-  volume.inhibitAll(static_cast<float>(parameters_.global_inhibition));
+  volume.inhibitAll(static_cast<float>(kGlobalInhibition));
   volume.normalise();
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "given_pinhole.hpp"
+#include "projection.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::feature_stereo {

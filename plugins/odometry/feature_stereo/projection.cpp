@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stereo projection of inverse depth points with its derivatives.
-#include "given_pinhole.hpp"
+#include "projection.hpp"
 
 namespace tolman::feature_stereo {
 

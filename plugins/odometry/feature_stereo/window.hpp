@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "given_pinhole.hpp"
+#include "projection.hpp"
 
 namespace tolman::feature_stereo {
 

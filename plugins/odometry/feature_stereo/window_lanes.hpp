@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "given_pinhole.hpp"
+#include "projection.hpp"
 #include "window.hpp"
 
 namespace tolman::feature_stereo {

@@ -135,4 +135,41 @@ Result<std::vector<PlanarPose>> readChain(const std::filesystem::path& file) {
   return poses;
 }
 
+std::vector<std::string> unitDoubts(const std::vector<PlanarPose>& poses, double rate) {
+  // The default limits of `checks`. In degrees every turn of more than 0.17 rad/s exceeds the
+  // first, in mm every way of more than 0.1 m/s the second. The same turn does not last: in drives
+  // in degrees 5 to 30 % of the steps are of curves.
+  constexpr double kFastestTurn = 10;  // rad/s
+  constexpr double kShareOfTurns = 0.01;
+  constexpr double kTopSpeed = 100;  // m/s
+  constexpr double kShareOfWays = 0.5;
+  const std::size_t steps = poses.empty() ? 0 : poses.size() - 1;
+  std::size_t turns = 0;
+  std::size_t ways = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const PlanarPose step = between(poses[i - 1], poses[i]);
+    if (std::abs(step.theta) * rate > kFastestTurn) ++turns;
+    if (std::hypot(step.x, step.y) * rate > kTopSpeed) ++ways;
+  }
+  const auto exceed = [&](std::size_t many, double share) {
+    return static_cast<double>(many) > share * static_cast<double>(steps);
+  };
+  const auto ofSteps = [&](std::size_t many) {
+    return std::to_string(many) + " of " + std::to_string(steps) + " steps";
+  };
+  std::vector<std::string> texts;
+  if (exceed(turns, kShareOfTurns)) {
+    texts.push_back(ofSteps(turns) +
+                    " turn faster than 10 rad/s; are its angles in degrees? They must be in "
+                    "radians; or is `rate` too high?");
+  }
+  if (exceed(ways, kShareOfWays)) {
+    texts.push_back(
+        ofSteps(ways) +
+        " are faster than 100 m/s; are its lengths in mm or cm? They must be in metres; "
+        "or is `rate` too high?");
+  }
+  return texts;
+}
+
 }  // namespace tolman::motion_log

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "tolman/geometry.hpp"
@@ -26,5 +27,10 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file);
 
 /// Poses 0 ... n from edges that must be (0, 1), (1, 2), ... in this order; pose 0 is the identity.
 Result<std::vector<PlanarPose>> readChain(const std::filesystem::path& file);
+
+/// One text, without the name of the file, for angles and for lengths that no vehicle has at `rate`
+/// poses a second (Hz): signs of degrees and mm. A few wild steps are no sign, as odometry has
+/// them; they are for `checks`.
+std::vector<std::string> unitDoubts(const std::vector<PlanarPose>& poses, double rate);
 
 }  // namespace tolman::motion_log

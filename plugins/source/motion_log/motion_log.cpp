@@ -6,8 +6,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "unit_doubts.hpp"
-
 namespace tolman::motion_log {
 namespace fs = std::filesystem;
 
@@ -62,8 +60,6 @@ Status MotionLog::load(FindingCollector& findings) {
   drive_ = digest(poses_);
   if (Status status = loadTruth(folder / parameters_.truth); !status.isOk()) return status;
   if (Status status = loadCandidates(); !status.isOk()) return status;
-  std::vector<Edge> candidates;
-  for (const auto& [from, edge] : candidates_) candidates.push_back(edge);
   const auto report = [&](const std::string& name, const std::vector<std::string>& doubts) {
     for (const std::string& doubt : doubts) {
       findings.add({Finding::Severity::Warning, (folder / name).string(), doubt});
@@ -71,7 +67,6 @@ Status MotionLog::load(FindingCollector& findings) {
   };
   report(parameters_.odometry, unitDoubts(poses_, parameters_.rate));
   report(parameters_.truth, unitDoubts(truth_, parameters_.rate));
-  report(parameters_.candidates, candidateDoubts(candidates, poses_));
   std::vector<std::int64_t> stamps;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     stamps.push_back(std::llround(static_cast<double>(i) * 1e9 / parameters_.rate));

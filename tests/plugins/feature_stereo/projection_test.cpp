@@ -2,7 +2,7 @@
 // Stereo projection against closed forms and finite differences.
 #include <catch2/catch.hpp>
 
-#include "given_pinhole.hpp"
+#include "projection.hpp"
 #include "support/street_scene.hpp"
 
 using namespace tolman;

@@ -192,7 +192,7 @@ TEST_CASE("contradictions of parameters are refused") {
   CHECK(refusal({{"baseline", 0.2}}) == "baseline is given without right; name the right folder");
   CHECK(refusal(with(kPair, {{"calibration", std::string("calib.txt")},
                              {"pinhole", std::vector<double>{4}}})) ==
-        "calibration and fx or baseline are both given; keep one");
+        "calibration and pinhole or baseline are both given; keep one");
   CHECK(refusal({{"stamps_column", std::string("t")}}) ==
         "stamps_column is given without stamps; name the file");
   CHECK(

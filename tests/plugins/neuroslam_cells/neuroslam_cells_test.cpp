@@ -156,12 +156,7 @@ TEST_CASE("a reset gives the same answers bit by bit") {
   CHECK(pass() == pass());
 }
 
-TEST_CASE("even widths of kernels and negative templates are refused") {
-  test::TestContext services({{"head_inhibition_width", std::int64_t{4}}});
-  NeuroslamCells cells;
-  CHECK(cells.configure(services).message() ==
-        "grid_excitation_width, grid_inhibition_width, head_excitation_width and "
-        "head_inhibition_width must be odd");
+TEST_CASE("negative templates are refused") {
   Fixture fixture;
   PlaceObservation seen;
   seen.recognition = Recognition::Familiar;
