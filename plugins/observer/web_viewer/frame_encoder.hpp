@@ -1,129 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The JSON headers of the messages, as records. The server encodes them by their field lists, and
-// page/src/wire/records.ts is generated from the same lists. Images, points, arrays and rows follow
-// a header as binary arrays; see container.hpp.
+// The binary form of all messages: length of the header (uint32), JSON header that lists the
+// arrays, arrays aligned to 8 bytes; little-endian.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "api_messages.hpp"
-#include "run_store.hpp"
 #include "tolman/roles.hpp"
+#include "wire_records.hpp"
 
 namespace tolman::web_viewer {
 
-/// The first message of a connection, and the answer of /api/run.
-struct HelloHeader {
-  static constexpr const char* kRecord = "hello";
-  RunInfo run;
-  bool live = true;
-  bool recorded = false;
-  std::int64_t rows = 0;
-  std::vector<RowColumn> columns;
+enum class ElementType : std::uint8_t { U8, I32, F32, F64 };
 
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(run, "", "the run that is shown");
-    TOLMAN_FIELD(live, "", "false after the last frame");
-    TOLMAN_FIELD(recorded, "", "the run had ended before it was shown");
-    TOLMAN_FIELD(rows, "", "history rows so far");
-    TOLMAN_FIELD(columns, "", "columns of a history row");
-  }
-};
-
-/// Header of a frame: image, points, arrays of the cells, and the rows not yet sent to the client.
-struct FrameHeader {
-  static constexpr const char* kRecord = "frame";
-  std::int64_t frame = -1;
-  std::int64_t points_frame = -1;
-  std::int64_t rows_from = 0;
-  std::int64_t dropped = 0;
-  std::vector<RunEvent> events;
-
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(frame, "", "index in the run");
-    TOLMAN_FIELD(points_frame, "", "the frame that the points belong to, -1 for none");
-    TOLMAN_FIELD(rows_from, "", "number of the first row of this message");
-    TOLMAN_FIELD(dropped, "", "frames that this client was too slow for");
-    TOLMAN_FIELD(events, "", "events since the message before");
-  }
-};
-
-/// Header of the answer of /api/history.
-struct HistoryHeader {
-  static constexpr const char* kRecord = "history";
-  std::int64_t from = 0;
-  std::int64_t total = 0;
-
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(from, "", "number of the first row of this message");
-    TOLMAN_FIELD(total, "", "rows so far");
-  }
-};
-
-struct GraphHeader {
-  static constexpr const char* kRecord = "graph";
-  std::int64_t version = 0;
-  std::int64_t frame = -1;
-
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(version, "", "number of the last correction of the map");
-    TOLMAN_FIELD(frame, "", "the frame at which the graph was so; -1 after the last");
-  }
-};
-
-/// The last message of a run.
-struct EndHeader {
-  static constexpr const char* kRecord = "end";
-  std::string state;
-  std::int64_t frames = 0;
-
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(state, "", "finished or interrupted");
-    TOLMAN_FIELD(frames, "", "frames of the run");
-  }
+/// A named array of a container. The bytes are shared between messages.
+struct PackedArray {
+  std::string name;
+  ElementType element = ElementType::U8;
+  std::vector<std::size_t> shape;
+  std::shared_ptr<const std::string> bytes;
 };
 
 template <class T>
-nlohmann::json valueJson(const std::vector<T>& values);
+constexpr ElementType elementOf() {
+  if constexpr (std::is_same_v<T, std::uint8_t>) return ElementType::U8;
+  if constexpr (std::is_same_v<T, std::int32_t>) return ElementType::I32;
+  if constexpr (std::is_same_v<T, float>) return ElementType::F32;
+  if constexpr (std::is_same_v<T, double>) return ElementType::F64;
+}
 
-/// A value of a record as JSON: records are objects, enumerations their names.
+/// Copies `values`, row-major.
 template <class T>
-nlohmann::json valueJson(const T& value) {
-  if constexpr (Record<T>) {
-    nlohmann::json object = nlohmann::json::object();
-    visitFields(value, [&](const Field& field, const auto& member) {
-      object[std::string(field.name)] = valueJson(member);
-    });
-    return object;
-  } else if constexpr (NamedEnum<T>) {
-    return std::string(enumName(value));
-  } else {
-    return value;
-  }
+PackedArray pack(std::string name, std::vector<std::size_t> shape, std::span<const T> values) {
+  const auto bytes = std::as_bytes(values);
+  auto copy = std::make_shared<const std::string>(reinterpret_cast<const char*>(bytes.data()),
+                                                  bytes.size());
+  return {std::move(name), elementOf<T>(), std::move(shape), std::move(copy)};
 }
 
-template <class T>
-nlohmann::json valueJson(const std::vector<T>& values) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const T& value : values) list.push_back(valueJson(value));
-  return list;
-}
+/// `header` is an object; the member "arrays" is added to it.
+std::string encodeContainer(nlohmann::json header, const std::vector<PackedArray>& arrays);
 
-/// A message header: the record's fields, and its name as "type".
-template <Record R>
-nlohmann::json headerJson(const R& header) {
-  nlohmann::json json = valueJson(header);
-  json["type"] = R::kRecord;
-  return json;
-}
+/// JSON text; invalid UTF-8 is replaced.
+std::string jsonText(const nlohmann::json& json);
 
 // The data of one frame until it is encoded. Pixels are shared, the rest is copied.
 

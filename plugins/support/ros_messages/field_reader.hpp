@@ -9,12 +9,23 @@
 #include <span>
 #include <string_view>
 #include <type_traits>
-
-#include "messages.hpp"
+#include <vector>
 
 namespace tolman::ros_messages {
 
 using Bytes = std::span<const std::uint8_t>;
+
+enum class Encoding : std::uint8_t { Cdr, Ros1 };
+
+/// The bytes of one message. A view; they must outlive it.
+struct Message {
+  Message(Bytes of, Encoding written = Encoding::Cdr) : bytes(of), encoding(written) {}
+  Message(const std::vector<std::uint8_t>& of, Encoding written = Encoding::Cdr)
+      : bytes(of), encoding(written) {}
+
+  Bytes bytes;
+  Encoding encoding;
+};
 
 inline std::string_view asText(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bytes of one message, and the encoding of its fields.
+// The messages of ROS that sources read, decoded. Views are of the message's bytes.
+// Units are those of ROS: rad/s, m/s^2, m.
 #pragma once
 
 #include <array>
@@ -12,21 +13,6 @@
 #include "field_reader.hpp"
 
 namespace tolman::ros_messages {
-
-enum class Encoding : std::uint8_t { Cdr, Ros1 };
-
-/// A view; the bytes must outlive it.
-struct Message {
-  Message(Bytes of, Encoding written = Encoding::Cdr) : bytes(of), encoding(written) {}
-  Message(const std::vector<std::uint8_t>& of, Encoding written = Encoding::Cdr)
-      : bytes(of), encoding(written) {}
-
-  Bytes bytes;
-  Encoding encoding;
-};
-
-// The messages of ROS that sources read, decoded. Views are of the message's bytes.
-// Units are those of ROS: rad/s, m/s^2, m.
 
 inline constexpr std::string_view kImage = "sensor_msgs/msg/Image";
 inline constexpr std::string_view kCompressedImage = "sensor_msgs/msg/CompressedImage";

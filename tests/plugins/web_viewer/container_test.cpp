@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Encoded messages, decoded byte by byte.
+#include "frame_encoder.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "browser.hpp"
-#include "run_store.hpp"
 
 namespace tolman::web_viewer {
 

@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <thread>
 
-#include "api_messages.hpp"
 #include "browser.hpp"
+#include "wire_records.hpp"
 #include "watched_run.hpp"
 
 namespace tolman::test {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Data passed between two threads: newest frame, all rows, bounded memory, waiting.
+#include "handover.hpp"
+
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "viewer_thread.hpp"
 #include "watched_run.hpp"
 
 namespace tolman::web_viewer {

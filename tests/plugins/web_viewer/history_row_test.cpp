@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // History rows compared with the records.
+#include "wire_records.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "api_messages.hpp"
 #include "watched_run.hpp"
 
 namespace tolman::web_viewer {

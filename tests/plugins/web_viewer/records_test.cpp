@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "frame_encoder.hpp"
 #include "records_typescript.hpp"
+#include "wire_records.hpp"
 
 namespace tolman::web_viewer {
 

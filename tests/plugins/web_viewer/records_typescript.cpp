@@ -4,7 +4,7 @@
 #include <set>
 #include <type_traits>
 
-#include "frame_encoder.hpp"
+#include "wire_records.hpp"
 
 namespace tolman::web_viewer {
 namespace {
