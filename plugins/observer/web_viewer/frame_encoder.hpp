@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The binary messages, and frames encoded as such.
+//
 // The binary form of all messages: length of the header (uint32), JSON header that lists the
 // arrays, arrays aligned to 8 bytes; little-endian.
 #pragma once

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Requests and answers by HTTP, and the connection that handles them.
+//
 // Values in the query of a request, in which a client may write any byte as %XX (RFC 3986, section
 // 2.1), and a blank as + (forms of HTML).
 #pragma once

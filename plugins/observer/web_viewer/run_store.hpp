@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// All data of the run that clients can get, and the file that holds past frames.
+//
 // A file without a name; the system deletes it when the process ends.
 #pragma once
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What the messages say: rows of numbers, and the headers of each kind of message.
+//
 // One row of numbers per frame, from which the page draws its graphs.
 //
 // The columns are the scalar fields of the records (Frame, Motion, PlaceObservation, Decision,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Adjustment of the window, and the prior of what leaves it.
+//
 // Marginalisation of points and keyframes that leave the window into a quadratic prior (Engel et
 // al., PAMI 2018, sections 2.3 and 3.1).
 #pragma once

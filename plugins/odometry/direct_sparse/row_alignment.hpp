@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Vertical errors of the rectification: their estimate, and images without them.
+//
 // Resamples an image whose rows a smooth field displaces by fractions of a pixel.
 #pragma once
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Disparities of corners: from the right image, or from a depth image.
+//
 // Whole-pixel disparities: a patch is compared with all places of its row.
 #pragma once
 

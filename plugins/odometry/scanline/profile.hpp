@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Intensity profiles of an image region, and the shift between two of them.
+//
 // Intensity profile of an image region: mean brightness of each column, resampled over the bearing
 // (Milford and Wyeth 2008).
 #pragma once

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The difference matrix and the search for lines of constant speed in it.
+//
 // One column of the difference matrix: the differences of an image from every stored view,
 // normalised by the differences of neighbouring views (local contrast enhancement).
 #pragma once

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The driven path in steps, and the cost of every stored view as the present place along it.
+//
 // Steps of equal length along the driven path, from the motions of odometry.
 #pragma once
 

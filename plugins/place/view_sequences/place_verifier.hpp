@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Verification of places by landmarks: their store, agreement of poses with odometry, and the
+// verifier.
+//
 // Landmarks of stored views, in a file without a name that is removed with the plugin. Only their
 // offsets are in memory, and only those of candidates are read.
 #pragma once

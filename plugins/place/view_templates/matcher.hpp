@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Comparison of a view with the templates, shifted, and the yaw that follows from the shift.
+//
 // Yaw (rad) from a horizontal image shift. OpenRatSLAM does not use the shift of ordinary cameras.
 #pragma once
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What is kept of templates: cells, and landmarks.
+//
 // Stores the templates as a structure of arrays: all cells in one contiguous buffer of fixed-point
 // numbers, all means in another. Memory grows by amortised doubling.
 #pragma once

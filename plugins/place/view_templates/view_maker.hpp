@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Local views of images: blocks of grey with normalisation (as OpenRatSLAM, Ball et al. 2013), or
+// edges.
+//
 // Histograms of oriented gradients (Dalal and Triggs, CVPR 2005): the strength of edges in eight
 // directions for each cell of a view. They change little with light and contrast.
 #pragma once

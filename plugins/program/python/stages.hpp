@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The stages that a program in Python provides.
+//
 // What the roles have in common: parameters, reset, arrays, state.
 #pragma once
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A bag and its files.
+//
 // One file of a bag: its topics, and its messages in the order of the file.
 #pragma once
 

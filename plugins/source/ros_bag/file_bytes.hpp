@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Bytes of the files of a bag.
+//
 // Random access to the bytes of one file of a ROS bag. A file that is compressed as a whole
 // (zstd) is unpacked in memory.
 #pragma once

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Bags of ROS 1.
+//
 // One record of a ROS 1 bag: a header of fields `name=value`, and data, each after its length.
 #pragma once
 

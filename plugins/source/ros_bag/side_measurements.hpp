@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Measurements beside the images, and the frames that they belong to.
+//
 // Other measurements of a bag: angular velocity and acceleration, and planar odometry.
 #pragma once
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Cameras in the calibration files of Kalibr, OpenCV, ROS and EuRoC.
+//
 // A YAML or XML file as a tree of maps, lists and values with their line numbers.
 #pragma once
 

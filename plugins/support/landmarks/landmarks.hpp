@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Corners with depth of a stereo pair.
+//
 // Images in which landmarks are looked for: reduced to a width of about 620 px, so that the time
 // does not grow with the camera's resolution.
 #pragma once

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Calibrations from CameraInfo.
+//
 // What a CameraInfo says, and where it contradicts itself, the images, or what is read of it.
 // Failures do not name the topic; the caller adds it.
 #pragma once

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Cameras and pairs of them among the topics: names, and rigs of their CameraInfo.
+//
 // Names of the topics of a camera or a stereo pair.
 #pragma once
 
