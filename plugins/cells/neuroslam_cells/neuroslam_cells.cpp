@@ -35,7 +35,7 @@ Status NeuroslamCells::reset() {
   const Periods periods = {static_cast<double>(p.side), static_cast<double>(p.headings)};
   state_.emplace(State{ActivityTorus({p.headings, p.side, 1}),
                        ActivityTorus({p.side, p.side, p.side}),
-                       HabituatingViews<ConjunctivePlace>({1, p.active_decay, p.restore}),
+                       HabituatingViews<ConjunctivePlace>({1, kActiveDecay, p.restore}),
                        ExperienceMemory(p.experience_threshold, periods)});
   const int middle_cell = p.side / 2;
   const auto middle = static_cast<double>(middle_cell);
@@ -77,10 +77,9 @@ void NeuroslamCells::integrate(const Motion& motion) {
 
 void NeuroslamCells::inject(const HabituatingViews<ConjunctivePlace>::Injection& injection,
                             double turned) {
-  const Parameters& p = parameters_;
   const ConjunctivePlace& place = injection.place;
   state_->grid.add({place.x, place.y, place.height},
-                   static_cast<float>(p.grid_injected_energy * injection.energy));
+                   static_cast<float>(kGridInjectedEnergy * injection.energy));
   state_->head.add({place.heading + turned, place.height, 0},
                    static_cast<float>(kHeadInjectedEnergy * injection.energy));
 }

@@ -25,13 +25,16 @@ inline constexpr double kHeadGlobalInhibition = 3e-4;
 inline constexpr double kHeadInjectedEnergy = 0.01;
 inline constexpr int kHeadPacket = 5;
 
+/// Energy that a familiar view without additional habituation adds to the grid cells; its lowest
+/// habituation, and the increase when it is repeated at once. As published.
+inline constexpr double kGridInjectedEnergy = 0.01;
+inline constexpr double kActiveDecay = 2;
+
 struct Parameters {
   int side = 36;
   int headings = 36;
   double cell_size = 2;      // m; RatSLAM's for a car (St Lucia)
   double cell_height = 0.5;  // m; a sixth of a storey (README.md)
-  double grid_injected_energy = 0.01;
-  double active_decay = 2;
   double restore = 0.5;
   double experience_threshold = 2;  // cells; the code default of OpenRatSLAM
 
@@ -50,11 +53,7 @@ struct Parameters {
         parameter("cell_height", &P::cell_height)
             .range(1e-4, 1e4)
             .unit("m")
-            .doc("Height of a grid cell, and of a layer of head direction cells."),
-        parameter("grid_injected_energy", &P::grid_injected_energy)
-            .range(0, 10)
-            .doc("Energy that a familiar view without additional habituation adds to the grid "
-                 "cells."));
+            .doc("Height of a grid cell, and of a layer of head direction cells."));
   }
 
   static constexpr auto headParameters() {
@@ -68,10 +67,6 @@ struct Parameters {
   static constexpr auto viewParameters() {
     using P = Parameters;
     return parameters(
-        parameter("active_decay", &P::active_decay)
-            .range(0, 30)
-            .doc("Initial and lowest habituation of a view, and its increase when the view is "
-                 "repeated at once."),
         parameter("restore", &P::restore)
             .range(0, 30)
             .doc("Recovery from habituation with each view."),

@@ -14,6 +14,9 @@ inline constexpr int kInhibitionWidth = 5;
 inline constexpr double kInhibitionVariance = 2;
 inline constexpr double kGlobalInhibition = 2e-5;
 
+/// Lowest habituation of a view, and its increase when the view is repeated at once; RatSLAM's.
+inline constexpr double kActiveDecay = 1;
+
 struct PoseCellParameters {
   int side = 30;
   int headings = 36;
@@ -21,7 +24,6 @@ struct PoseCellParameters {
   double least_shift = 1;         // cells; chosen on KITTI 00 and 06 (README.md); 0 as published
   double injected_energy = 0.25;  // best of 29 combinations on 00 and 06; 0.15 as published
   double unsupported = 0.1;       // as `injected_energy`; 1 as published
-  double active_decay = 1;
   double restore = 0.04;
   int newest_ignored = 10;
   double experience_threshold = 1;
@@ -50,11 +52,6 @@ struct PoseCellParameters {
             .range(0, 1)
             .doc("Share of injected_energy that a view adds where all cells are silent; 1 as "
                  "published."),
-        parameter("active_decay", &P::active_decay)
-            .range(0, 30)
-            .doc("Initial and lowest habituation of a view, and its increase when the view is "
-                 "repeated "
-                 "at once."),
         parameter("restore", &P::restore)
             .range(0, 30)
             .doc("Recovery from habituation with each view."),

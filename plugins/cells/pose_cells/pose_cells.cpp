@@ -34,7 +34,7 @@ Status PoseCells::reset() {
   const Parameters& p = parameters_;
   state_.emplace(State{
       ActivityVolume(p.side, p.headings),
-      HabituatingViews<CellPose>({p.injected_energy, p.active_decay, p.restore, p.newest_ignored}),
+      HabituatingViews<CellPose>({p.injected_energy, kActiveDecay, p.restore, p.newest_ignored}),
       ExperienceMemory(p.experience_threshold),
       {},
       {}});

@@ -90,7 +90,6 @@ struct TumParameters : FolderParameters, source_parameters::GivenPinhole {
 
   std::string path;
   double depth_scale = 5000;
-  double most_apart = 0.02;
 
   static constexpr auto declaration() {
     using P = TumParameters;
@@ -104,12 +103,7 @@ struct TumParameters : FolderParameters, source_parameters::GivenPinhole {
             parameter("depth_scale", &P::depth_scale)
                 .range(1, 1e6)
                 .unit("1/m")
-                .doc("Values of a depth image per metre."),
-            parameter("most_apart", &P::most_apart)
-                .range(0, 1)
-                .unit("s")
-                .doc("Largest difference in time between an image and its depth or its true "
-                     "pose.")),
+                .doc("Values of a depth image per metre.")),
         source_parameters::pinholeParameter<P>(), folderParameters<P>());
   }
 };
