@@ -18,6 +18,14 @@
 
 namespace tolman::python {
 
+// The services of a context as Python objects. They refer to those of the context, which must
+// outlive them.
+
+/// A dict with log, write_artefact, rig, seed and name.
+py::object servicesOf(const Context& context);
+/// A dict from names to values.
+py::object valuesOf(const ParameterValues& values);
+
 /// An answer without frame and time gets those of the question.
 template <class Answer, class Question>
 void address(Answer& answer, const Question& question) {
@@ -106,14 +114,6 @@ class PythonStage : public RoleType,
   py::object services_;
   py::object values_;
 };
-
-// The services of a context as Python objects. They refer to those of the context, which must
-// outlive them.
-
-/// A dict with log, write_artefact, rig, seed and name.
-pybind11::object servicesOf(const Context& context);
-/// A dict from names to values.
-pybind11::object valuesOf(const ParameterValues& values);
 
 // The six roles, each passing its calls to an object of the program's class.
 

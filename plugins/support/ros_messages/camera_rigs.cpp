@@ -49,11 +49,10 @@ std::string infoBeside(const std::string& images) {
 namespace {
 
 Status setGiven(const CameraParameters& p, bool pair, CameraRig& rig) {
-  rig.calibrated = true;
-  rig.pinhole = p.pinhole(rig.width, rig.height);
-  rig.baseline = pair ? p.baseline : 0;
-  const bool inside = rig.pinhole.cx < rig.width && rig.pinhole.cy < rig.height;
-  if (!inside) return Status::invalidParameter("cx, cy is outside of the image; correct it");
+  const Result<CameraRig> given = p.rig(rig.width, rig.height);
+  if (!given.isOk()) return given.status();
+  rig = given.value();
+  if (!pair) rig.baseline = 0;
   if (!pair || p.baseline > 0) return Status::ok();
   return Status::invalidParameter("pinhole is given for two cameras without baseline; give both");
 }
@@ -104,7 +103,7 @@ Status checkCombination(const CameraParameters& p) {
   if (p.mono && !p.right.empty()) {
     return Status::invalidParameter("mono and right are both given; keep one");
   }
-  if (p.baseline > 0 && p.fx == 0) {
+  if (p.baseline > 0 && !p.isGiven()) {
     return Status::invalidParameter("baseline is given without pinhole; give both");
   }
   return Status::ok();

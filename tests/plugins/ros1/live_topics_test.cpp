@@ -72,7 +72,7 @@ TEST_CASE("a pair needs a calibration") {
   given.right_info = "/left/image_raw";
   CHECK(chosen(without, given).find("is of type sensor_msgs/Image") != std::string::npos);
   given = {};
-  given.fx = 500;
+  given.pinhole = {500};
   CHECK(chosen(without, given) == "/left/image_raw /right/image_raw  ");
 }
 

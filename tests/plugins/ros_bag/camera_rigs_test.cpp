@@ -37,7 +37,7 @@ std::string refusal(const CameraParameters& parameters, const CameraTopic& left,
 
 TEST_CASE("cameras by parameters, also beside a CameraInfo") {
   CameraParameters given;
-  given.fx = 400;
+  given.pinhole = {400};
   const Described left = described("left", 0);
   const auto one = makeRigs(given, kSize, left.topic, nullptr);
   REQUIRE(one.isOk());
@@ -51,8 +51,11 @@ TEST_CASE("cameras by parameters, also beside a CameraInfo") {
   given.baseline = 0.3;
   CHECK(makeRigs(given, kSize, left.topic, &right).value().rectified.baseline == 0.3);
   CHECK(makeRigs(given, kSize, left.topic, nullptr).value().rectified.baseline == 0);
-  given.cx = 640;
-  CHECK(refusal(given, left.topic, nullptr) == "cx, cy is outside of the image; correct it");
+  given.pinhole = {400, 400, 640, 20};
+  CHECK(refusal(given, left.topic, nullptr) ==
+        "the principal point of pinhole is outside of the image of 640x480 px; give the "
+        "calibration of "
+        "this camera");
 }
 
 TEST_CASE("cameras by CameraInfo: rectified, raw, none") {
