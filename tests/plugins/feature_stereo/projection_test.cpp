@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stereo projection against closed forms and finite differences.
+#include "projection.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "projection.hpp"
 #include "support/street_scene.hpp"
 
 using namespace tolman;

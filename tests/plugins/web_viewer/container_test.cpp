@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Encoded messages, decoded byte by byte.
-#include "frame_encoder.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "browser.hpp"
+#include "frame_encoder.hpp"
 
 namespace tolman::web_viewer {
 

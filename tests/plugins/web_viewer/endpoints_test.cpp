@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "browser.hpp"
-#include "wire_records.hpp"
 #include "watched_run.hpp"
+#include "wire_records.hpp"
 
 namespace tolman::test {
 namespace {

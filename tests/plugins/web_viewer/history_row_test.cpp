@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // History rows compared with the records.
-#include "wire_records.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "watched_run.hpp"
+#include "wire_records.hpp"
 
 namespace tolman::web_viewer {
 namespace {

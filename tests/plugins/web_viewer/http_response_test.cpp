@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Answers to request targets without a socket: valid, refused and random targets.
-#include "http_connection.hpp"
-
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
@@ -9,6 +7,7 @@
 
 #include "browser.hpp"
 #include "bundle.hpp"
+#include "http_connection.hpp"
 #include "support/paths.hpp"
 #include "tolman/context.hpp"
 #include "watched_run.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stored messages are read back; a full spool drops every second one.
-#include "run_store.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "run_store.hpp"
 
 namespace tolman::web_viewer {
 namespace {
