@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "lanes.hpp"
 #include "light.hpp"
@@ -40,7 +39,8 @@ struct RayPacket::Meetings {
 
 TOLMAN_WIDE_LANES
 void RayPacket::meet(std::size_t group, Meetings& m) const {
-  const auto& [ray, found] = rays_[group];
+  const auto& [ray, found] = rays_;
+  const std::size_t first = group * kLanes;
   alignas(32) std::array<std::uint32_t, kLanes> hit{};
   alignas(32) std::array<std::uint32_t, kLanes> foliage{};
   alignas(32) std::array<std::uint32_t, kLanes> placed{};
@@ -50,9 +50,9 @@ void RayPacket::meet(std::size_t group, Meetings& m) const {
   m.instance = {};
   m.instance_index.fill(kNoInstance);
   for (std::size_t i = 0; i < kLanes; ++i) {
-    if (found.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    instances[i] = found.instID[0][i];
-    const Scene::Owner owner = around_.scene->ownerOf(instances[i], found.primID[i]);
+    if (found.geomID[first + i] == RTC_INVALID_GEOMETRY_ID) continue;
+    instances[i] = found.instID[0][first + i];
+    const Scene::Owner owner = around_.scene->ownerOf(instances[i], found.primID[first + i]);
     hit[i] = ~0U;
     m.surface[i] = owner.number;
     m.instance[i] = owner.instance;
@@ -73,13 +73,16 @@ void RayPacket::meet(std::size_t group, Meetings& m) const {
   m.instance_seed = words(load(seeds));
   m.seen = hash(words(load(m.surface)) + 1, words(load(instances))) << 3;
   m.lit = Eight{};
-  m.direction = {loadEight(ray.dir_x), loadEight(ray.dir_y), loadEight(ray.dir_z)};
+  m.direction = {loadEight(ray.dir_x + first), loadEight(ray.dir_y + first),
+                 loadEight(ray.dir_z + first)};
   // A ray without a hit counts as one that ends at once, so that what is computed of it is finite.
-  m.t = select(m.hit, loadEight(ray.tfar), Eight{});
-  const Vec3s origin = {loadEight(ray.org_x), loadEight(ray.org_y), loadEight(ray.org_z)};
+  m.t = select(m.hit, loadEight(ray.tfar + first), Eight{});
+  const Vec3s origin = {loadEight(ray.org_x + first), loadEight(ray.org_y + first),
+                        loadEight(ray.org_z + first)};
   m.point = origin + m.direction * m.t;
   const Vec3s up = vec3s({0, 0, 1});
-  const Vec3s across = {loadEight(found.Ng_x), loadEight(found.Ng_y), loadEight(found.Ng_z)};
+  const Vec3s across = {loadEight(found.Ng_x + first), loadEight(found.Ng_y + first),
+                        loadEight(found.Ng_z + first)};
   Vec3s normal = normalised(select(m.hit, across, up));
   if (any(m.placed)) {
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -237,30 +240,31 @@ void RayPacket::addLamps(const Meetings& m, const SurfaceHits& hits, const Eight
 
 std::array<Shaded, kRaysPerPacket> RayPacket::shade() {
   std::array<Shaded, kRaysPerPacket> result;
-  const auto count = static_cast<std::size_t>(std::exchange(count_, 0));
+  if (count_ == 0) return {};
+  const auto count = static_cast<std::size_t>(count_);
+  alignas(64) std::array<int, kRaysPerPacket> valid{};
+  auto& [ray, hit] = rays_;
+  for (int i = 0; i < kRaysPerPacket; ++i) {
+    const int of = std::min(i, count_ - 1);
+    valid[static_cast<std::size_t>(i)] = of == i ? -1 : 0;
+    // The lanes behind the last ray repeat it, so that they compute something finite.
+    set(i, {ray.org_x[of], ray.org_y[of], ray.org_z[of]},
+        {ray.dir_x[of], ray.dir_y[of], ray.dir_z[of]});
+    ray.tnear[i] = 0.05F;
+    ray.tfar[i] = std::numeric_limits<float>::infinity();
+    ray.time[i] = 0;
+    ray.mask[i] = ~0U;
+    ray.flags[i] = 0;
+    hit.geomID[i] = hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  around_.scene->intersect(valid.data(), rays_);
   for (std::size_t g = 0; g * kLanes < count; ++g) {
-    const std::size_t used = std::min<std::size_t>(count - g * kLanes, kLanes);
-    auto& [ray, hit] = rays_[g];
-    alignas(32) std::array<int, kLanes> valid{};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const std::size_t of = std::min(i, used - 1);
-      valid[i] = of == i ? -1 : 0;
-      // The lanes behind the last ray repeat it, so that they compute something finite.
-      set(rays_[g], i, {ray.org_x[of], ray.org_y[of], ray.org_z[of]},
-          {ray.dir_x[of], ray.dir_y[of], ray.dir_z[of]});
-      ray.tnear[i] = 0.05F;
-      ray.tfar[i] = std::numeric_limits<float>::infinity();
-      ray.time[i] = 0;
-      ray.mask[i] = ~0U;
-      ray.flags[i] = 0;
-      hit.geomID[i] = hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
-    around_.scene->intersect(valid.data(), rays_[g]);
     Meetings meetings;
     meet(g, meetings);
     if (around_.light->sun > 0) castShadows(meetings);
     shadeGroup(meetings, result.data() + g * kLanes);
   }
+  count_ = 0;
   return result;
 }
 

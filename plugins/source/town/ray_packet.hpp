@@ -15,9 +15,6 @@
 
 namespace tolman::town {
 
-/// Rays are shaded in packets of this many.
-inline constexpr int kRaysPerPacket = 16;
-
 /// Scene, light and pixel size that the rays of a packet share.
 struct Surroundings {
   const Scene* scene = nullptr;
@@ -43,10 +40,7 @@ class RayPacket {
  public:
   explicit RayPacket(const Surroundings& around) : around_(around) {}
 
-  void add(const Vec3& origin, const Vec3& direction) {
-    const auto i = static_cast<std::size_t>(count_++);
-    set(rays_[i / kLanes], i % kLanes, origin, direction);
-  }
+  void add(const Vec3& origin, const Vec3& direction) { set(count_++, origin, direction); }
   bool isFull() const { return count_ == kRaysPerPacket; }
   int size() const { return count_; }
   /// Traces the added rays; the packet is empty afterwards.
@@ -56,8 +50,8 @@ class RayPacket {
   static constexpr std::size_t kGroups = kRaysPerPacket / kLanes;
   struct Meetings;
 
-  static void set(RTCRayHit8& rays, std::size_t i, const Vec3& origin, const Vec3& direction) {
-    RTCRay8& r = rays.ray;
+  void set(int i, const Vec3& origin, const Vec3& direction) {
+    RTCRay16& r = rays_.ray;
     std::tie(r.org_x[i], r.org_y[i], r.org_z[i]) = std::tie(origin.x, origin.y, origin.z);
     std::tie(r.dir_x[i], r.dir_y[i], r.dir_z[i]) = std::tie(direction.x, direction.y, direction.z);
   }
@@ -72,7 +66,7 @@ class RayPacket {
   void forEachSurface(const Meetings& meetings, const Body& body) const;
 
   const Surroundings& around_;
-  std::array<RTCRayHit8, kGroups> rays_;
+  RTCRayHit16 rays_;
   int count_ = 0;
 };
 

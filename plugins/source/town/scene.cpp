@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -16,6 +18,27 @@ std::array<float, 12> matrixOf(const Placement& p) {
   const float c = p.cosine * p.scale;
   const float s = p.sine * p.scale;
   return {c, s, 0, -s, c, 0, 0, 0, p.scale, p.position.x, p.position.y, p.position.z};
+}
+
+// Both are rows of one number of each ray.
+constexpr std::size_t kRow8 = 8 * sizeof(float);
+constexpr std::size_t kRows = sizeof(RTCRayHit8) / kRow8;
+static_assert(sizeof(RTCRayHit16) == 2 * kRows * kRow8);
+
+void copyHalf(const RTCRayHit16& from, std::size_t half, RTCRayHit8& to) {
+  const auto* source = reinterpret_cast<const std::byte*>(&from) + half * kRow8;
+  auto* target = reinterpret_cast<std::byte*>(&to);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    std::memcpy(target + i * kRow8, source + 2 * i * kRow8, kRow8);
+  }
+}
+
+void copyHalf(const RTCRayHit8& from, std::size_t half, RTCRayHit16& to) {
+  const auto* source = reinterpret_cast<const std::byte*>(&from);
+  auto* target = reinterpret_cast<std::byte*>(&to) + half * kRow8;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    std::memcpy(target + 2 * i * kRow8, source + i * kRow8, kRow8);
+  }
 }
 
 RTCIntersectContext coherent() {
@@ -42,6 +65,8 @@ Scene::Scene(World world)
     throw std::runtime_error("Embree does not know this processor");
   }
   if (!device_) throw std::bad_alloc();  // or no memory for its threads
+  has_packets_of_16_ =
+      rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   fixed_ = sceneOf(&world_.fixed);
   placed_ = sceneOf(nullptr);
   for (Mesh& prototype : world_.prototypes) {
@@ -106,6 +131,21 @@ void Scene::show(std::size_t index, bool shown) {
 void Scene::commit() {
   rtcCommitScene(placed_.get());
   check("building the town");
+}
+
+void Scene::intersect(const int* valid, RTCRayHit16& rays) const {
+  if (has_packets_of_16_) {
+    RTCIntersectContext context = coherent();
+    rtcIntersect16(valid, fixed_.get(), &context, &rays);
+    rtcIntersect16(valid, placed_.get(), &context, &rays);
+    return;
+  }
+  for (std::size_t half = 0; half < 2; ++half) {
+    RTCRayHit8 rays8;
+    copyHalf(rays, half, rays8);
+    intersect(valid + 8 * half, rays8);
+    copyHalf(rays8, half, rays);
+  }
 }
 
 void Scene::intersect(const int* valid, RTCRayHit8& rays) const {

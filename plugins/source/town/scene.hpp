@@ -14,6 +14,8 @@
 
 namespace tolman::town {
 
+/// Rays are traced in packets of this many.
+inline constexpr int kRaysPerPacket = 16;
 /// Instead of the index of an instance: fixed geometry, or the sky.
 inline constexpr std::uint32_t kNoInstance = RTC_INVALID_GEOMETRY_ID;
 
@@ -24,6 +26,7 @@ class Scene {
   explicit Scene(World world);
 
   /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
+  void intersect(const int* valid, RTCRayHit16& rays) const;
   void intersect(const int* valid, RTCRayHit8& rays) const;
   /// Sets tfar to -infinity for rays that fixed geometry blocks, of those with by_fixed[i] == -1,
   /// and for those that instances block, of those with by_placed[i] == -1. By eight, because
@@ -67,6 +70,7 @@ class Scene {
   World world_;
   StreetLamps lamps_;
   Device device_;
+  bool has_packets_of_16_;  ///< the processor has instructions for them
   // Two scenes, because a commit builds the whole search structure of its scene anew: a car that
   // moves must not rebuild that of all streets and houses.
   SceneHandle fixed_;   // the fixed mesh

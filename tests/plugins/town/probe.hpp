@@ -13,7 +13,7 @@ namespace tolman::town::test {
 /// m from `from` to the first surface along the unit vector `way`; infinite if there is none.
 inline double distanceTo(const Scene& scene, const Eigen::Vector3d& from,
                          const Eigen::Vector3d& way) {
-  alignas(32) std::array<int, 8> valid{};
+  alignas(32) std::array<int, kRaysPerPacket> valid{};
   valid[0] = -1;
   RTCRayHit8 rays{};
   rays.ray.org_x[0] = static_cast<float>(from.x());
