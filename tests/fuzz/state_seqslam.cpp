@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tolman;
   static fuzz::Small<seqslam::SeqSlam> place(fuzz::smallSeqSlam());
-  if (!fuzz::loadState(place.plugin, "TLMSEQSL", 1, {data, size}).isOk()) return 0;
+  if (!fuzz::loadState(place.plugin, "TLMSEQSL", 2, {data, size}).isOk()) return 0;
   fuzz::checkSaved(place.plugin);
   RandomStream random(1);
   for (std::int64_t i = 9; i < 12; ++i) {

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (!fuzz::loadState(place().plugin, "TLMVIEWS", 2, {data, size}).isOk()) return 0;
+  if (!fuzz::loadState(place().plugin, "TLMVIEWS", 3, {data, size}).isOk()) return 0;
   fuzz::checkSaved(place().plugin);
   for (int i = 0; i < 2; ++i) {
     PlaceObservation observation;

@@ -16,7 +16,7 @@ namespace {
 constexpr int kContrastWindow = 10;
 
 constexpr std::string_view kMagic = "TLMSEQSL";
-constexpr std::uint64_t kStateVersion = 1;
+constexpr std::uint64_t kStateVersion = 2;
 constexpr std::int64_t kMaxImages = std::int64_t{1} << 40;  // a larger number is damage
 
 }  // namespace

@@ -37,8 +37,8 @@ Status loadPayload(const std::string& payload) {
   return tolman::test::loadPayload(walk.plugin(), kMagic, 1, payload);
 }
 
-// Five parameters, then the number of images and of views.
-constexpr std::size_t kImages = 5 * sizeof(double);
+// Three parameters, then the number of images and of views.
+constexpr std::size_t kImages = 3 * sizeof(double);
 constexpr std::size_t kViews = kImages + sizeof(std::int64_t);
 constexpr std::size_t kNumbers = kViews + sizeof(std::uint64_t);
 
