@@ -34,7 +34,7 @@ std::string payloadOf(const std::string& state) {
 
 Status loadPayload(const std::string& payload) {
   Walk walk(small());
-  return tolman::test::loadPayload(walk.plugin(), kMagic, 1, payload);
+  return tolman::test::loadPayload(walk.plugin(), kMagic, 2, payload);
 }
 
 // Three parameters, then the number of images and of views.
