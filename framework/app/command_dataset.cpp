@@ -8,9 +8,9 @@
 #include "config/values.hpp"
 #include "engine/assembly.hpp"
 #include "engine/findings.hpp"
-#include "engine/frame_check.hpp"
+#include "engine/camera_check.hpp"
 #include "engine/rectified_source.hpp"
-#include "host/stage_artefacts.hpp"
+#include "host/instance.hpp"
 
 namespace tolman::app {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/parameter_text.hpp"
 #include "conformance/kit.hpp"
 #include "engine/assembly.hpp"
-#include "host/gate.hpp"
+#include "host/library.hpp"
 #include "host/remote_plugin.hpp"
 #include "host/scratch_folder.hpp"
 
@@ -71,7 +71,7 @@ auto openApart(const Manifest& manifest, double deadline_s = 10) {
   return host::RemotePlugin::start(manifest, launch);
 }
 
-/// Throws engine::Failed.
+/// Throws engine::Failure.
 host::LoadedPlugin open(const host::Catalogue& catalogue, const std::string& id) {
   const auto remote = engine::require(openApart(engine::require(catalogue.find(id))));
   return {remote->manifest(), nullptr, remote->schema()};
@@ -85,7 +85,7 @@ std::vector<host::LoadedPlugin> openUsable(const host::Catalogue& catalogue) {
   for (const std::string& id : ids) {
     try {
       opened.push_back(open(catalogue, id));
-    } catch (const engine::Failed& failed) {
+    } catch (const engine::Failure& failed) {
       std::cerr << "left out: " << failed.what() << "\n";
     }
   }
@@ -163,7 +163,7 @@ ExitCode codeOf(const ConformanceReport& report) {
 void validate(KitOptions options, bool summaries, Invocation& invocation) {
   options.program = {thisProgram().string(), "plugins", "run-check"};
   if (host::ScratchFolder("tolman-validate").path().empty()) {
-    throw engine::Failed({engine::FailureKind::Record, host::kNoScratchFolder});
+    throw engine::Failure(engine::FailureKind::Record, host::kNoScratchFolder);
   }
   const auto print = [&](const CheckResult& result) {
     const bool fault = result.severity() >= CheckSeverity::Warning;

@@ -94,7 +94,7 @@ void addWordCommands(CLI::App& app, const Invocation& invocation) {
 void addStageCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run-stage")->group("");  // hidden
   auto descriptors = std::make_shared<std::vector<int>>();
-  command->add_option("descriptors", *descriptors)->required()->expected(5);
+  command->add_option("descriptors", *descriptors)->required()->expected(4);
   command->callback([descriptors] {
     const engine::SteadyClock clock;
     host::runPluginProcess(*descriptors, {clock, [](const auto& directory, const auto& instance) {
@@ -145,8 +145,8 @@ ExitCode parse(CLI::App& app, std::vector<std::string> words, const Invocation& 
     return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
   } catch (const CLI::Error& error) {  // of fail()
     return printFailure(static_cast<ExitCode>(error.get_exit_code()), error.what());
-  } catch (const engine::Failed& failed) {
-    return printFailure(exitCode(failed.failure.kind), failed.what());
+  } catch (const engine::Failure& failed) {
+    return printFailure(exitCode(failed.kind), failed.what());
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string path = error.path1().string();
     return printFailure(ExitCode::Dataset,

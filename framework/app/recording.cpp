@@ -198,9 +198,9 @@ class Search {
     }
     if (stamps_ns.empty()) return Status::invalidInput("there is no frame");
     return describe(assembly, log, values, stamps_ns);
-  } catch (const engine::Failed& failed) {
+  } catch (const engine::Failure& failed) {
     using Kind = engine::FailureKind;
-    const Kind kind = failed.failure.kind;
+    const Kind kind = failed.kind;
     if (kind == Kind::Machine || kind == Kind::Record || kind == Kind::Interrupted) throw;
     const std::string prefix = "source (" + plugin_.manifest.id + "), configure: ";
     const std::string text = failed.what();

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "conformance/check.hpp"
-#include "host/process_state.hpp"
+#include "conformance/process_state.hpp"
 
 namespace tolman::conformance {
 

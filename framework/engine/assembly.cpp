@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "host/remote_roles.hpp"
+#include "host/remote_plugin.hpp"
 #include "record/output_places.hpp"
 
 namespace tolman::engine {
@@ -54,8 +54,8 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
     }
     // What configure() answers then says nothing of the plugin or its data.
     if (cancellation.requested()) {
-      throw Failed({FailureKind::Interrupted,
-                    "interrupted while it was configured; nothing was run", stage.instance});
+      throw Failure(FailureKind::Interrupted,
+                    "interrupted while it was configured; nothing was run", stage.instance);
     }
     require(status, configureFailure(stage.role, status), stage.instance);
     instances_.push_back(instance.get());
@@ -117,30 +117,15 @@ Status Assembly::describeArrays(std::vector<ArrayInfo>& arrays) {
   return status.isOk() && cells_ ? cells_->instance().describe(arrays) : status;
 }
 
-const config::StageConfig* Assembly::stageOf(Role role) const {
-  const auto& stages = checked_.config.stages;
-  const auto found = std::ranges::find(stages, role, &config::StageConfig::role);
-  return found == stages.end() ? nullptr : &*found;
-}
-
-std::string Assembly::stageName(Role role) const {
-  const config::StageConfig* stage = stageOf(role);
-  return stage == nullptr ? std::string(enumName(role)) : stage->instance;
-}
-
-Failure Assembly::failureOf(const StageFailure& failure) const {
-  const FailureKind usual = failure.other_scale            ? FailureKind::Continuation
-                            : failure.role == Role::Source ? FailureKind::Dataset
-                                                           : FailureKind::Stage;
-  return {kindOf(failure.status, usual), failure.status.message(), stageName(failure.role)};
-}
-
 Policies Assembly::policies() const {
-  const auto policy = [&](Role role) {
-    const config::StageConfig* stage = stageOf(role);
-    return stage == nullptr ? config::FailurePolicy::Stop : stage->on_failure;
-  };
-  return {policy(Role::Odometry), policy(Role::Place), policy(Role::Cells), policy(Role::Map)};
+  Policies policies;
+  for (const config::StageConfig& stage : checked_.config.stages) {
+    if (stage.role == Role::Odometry) policies.odometry = stage.on_failure;
+    if (stage.role == Role::Place) policies.place = stage.on_failure;
+    if (stage.role == Role::Cells) policies.cells = stage.on_failure;
+    if (stage.role == Role::Map) policies.map = stage.on_failure;
+  }
+  return policies;
 }
 
 }  // namespace tolman::engine

@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "engine/chain.hpp"
+#include "engine/checked_odometry.hpp"
 #include "engine/checked_system.hpp"
 #include "engine/findings.hpp"
 #include "engine/services.hpp"
-#include "host/stage_artefacts.hpp"
+#include "host/instance.hpp"
 #include "host/stages.hpp"
 
 namespace tolman::engine {
 
-/// Constructs the object of stage `i`, here or in its process. Throws Failed.
+/// Constructs the object of stage `i`, here or in its process. Throws Failure.
 std::unique_ptr<host::Instance> instantiate(const CheckedSystem& system, std::size_t i);
 
 /// Holds the stages that are in the scope of the checked system.
@@ -28,7 +29,7 @@ class Assembly {
     config::FailurePolicy policy;
   };
 
-  /// Throws Failed.
+  /// Throws Failure.
   Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
            const Cancellation& cancellation);
 
@@ -44,9 +45,6 @@ class Assembly {
   Findings& findings() { return *findings_; }
   /// Appends descriptions of the source's sensors and of the arrays of the cells.
   Status describeArrays(std::vector<ArrayInfo>& arrays);
-  /// The name of a stage in the configuration; the name of the role if there is no such stage.
-  std::string stageName(Role role) const;
-  Failure failureOf(const StageFailure& failure) const;
   /// The failure policies of odometry, place, cells and map.
   Policies policies() const;
   /// All stages from source to map, which must be in the scope.
@@ -72,7 +70,6 @@ class Assembly {
   };
 
   void add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage);
-  const config::StageConfig* stageOf(Role role) const;
 
   CheckedSystem checked_;
   SourceInfo info_;

@@ -52,20 +52,14 @@ void Chain::failBy(Role role, const Status& status) {
 }
 
 void Chain::fail(Role role, const Status& status) {
+  const FailureKind usual = role == Role::Source ? FailureKind::Dataset : FailureKind::Stage;
   const std::lock_guard lock(failure_mutex_);
-  if (!failure_) failure_ = {role, status};
+  if (!failure_) failure_ = {kindOf(status, usual), status.message(), std::string(enumName(role))};
 }
 
-void Chain::failInput(const Status& status) {
-  listener_.onEvent({-1, LogLevel::Error, "source", status.message()});
+std::optional<Failure> Chain::failure() const {
   const std::lock_guard lock(failure_mutex_);
-  input_failure_ = status;
-}
-
-std::optional<StageFailure> Chain::failure() const {
-  const std::lock_guard lock(failure_mutex_);
-  if (failure_ || !input_failure_) return failure_;
-  return StageFailure{Role::Source, *input_failure_};
+  return failure_ ? failure_ : input_failure_;
 }
 
 bool Chain::applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
@@ -85,8 +79,20 @@ void Chain::warn(std::int64_t frame, Role role, const std::string& text) {
   listener_.onEvent({frame, LogLevel::Warning, std::string(enumName(role)), text});
 }
 
-Status Chain::readFrame(FrameRecords& records) {
-  return timed(records.times, Role::Source, [&] { return stages_.source.next(records.frame); });
+FrameRecordsPtr Chain::readFrame(const Cancellation& cancellation) {
+  if (failed() || cancellation.requested()) return nullptr;
+  auto records = std::make_shared<FrameRecords>();
+  const Status status =
+      timed(records->times, Role::Source, [&] { return stages_.source.next(records->frame); });
+  if (status.isOk()) return records;
+  if (status.code() == StatusCode::EndOfStream ||
+      (status.code() == StatusCode::Cancelled && cancellation.requested())) {
+    return nullptr;
+  }
+  listener_.onEvent({-1, LogLevel::Error, "source", status.message()});
+  const std::lock_guard lock(failure_mutex_);
+  input_failure_ = {kindOf(status, FailureKind::Dataset), status.message(), "source"};
+  return nullptr;
 }
 
 void Chain::admit(FrameRecords& records) {
@@ -124,12 +130,7 @@ bool Chain::acceptMotion(FrameRecords& records) {
   const Status& status = records.odometry_status;
   if (!applyPolicy(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
   if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
-  if (const std::string& reason = records.impossible.motion; !reason.empty()) {
-    reportImpossible(records.frame.frame, "the motion " + reason + "; it is predicted instead");
-  }
-  if (const std::string& which = records.impossible.revision; !which.empty()) {
-    reportImpossible(records.frame.frame, "the revision " + which + "; it is left out");
-  }
+  reportImpossible(records.frame.frame, records.impossible);
   if (!acceptScale(records.motion)) return false;
   last_motion_ = records.motion;
   return true;
@@ -160,13 +161,13 @@ bool Chain::acceptScale(const Motion& motion) {
       motion.frame, unit(motion.scale_known), before->session, unit(before->is_known));
   listener_.onEvent({motion.frame, LogLevel::Error, "odometry", text});
   const std::lock_guard lock(failure_mutex_);
-  if (!failure_) failure_ = {Role::Odometry, Status::failed(text), true};
+  if (!failure_) failure_ = {FailureKind::Continuation, text, "odometry"};
   return false;
 }
 
-void Chain::reportImpossible(std::int64_t frame, const std::string& text) {
-  ++counters_.impossible;
-  warn(frame, Role::Odometry, text);
+void Chain::reportImpossible(std::int64_t frame, const std::vector<std::string>& texts) {
+  counters_.impossible += std::ssize(texts);
+  for (const std::string& text : texts) warn(frame, Role::Odometry, text);
 }
 
 bool Chain::acceptObservation(FrameRecords& records) {
@@ -327,7 +328,7 @@ void Chain::countGraph(const MapGraph& graph) {
   }
 }
 
-void Chain::publish(const FrameRecords& records) {
+void Chain::publish(FrameRecords& records) {
   // Publishes also after a failure of the listener: the map has processed the frames that were in
   // the flow, and its graph and trajectory contain them.
   if (!records.answered) return;
@@ -336,6 +337,8 @@ void Chain::publish(const FrameRecords& records) {
   if (!status.isOk()) fail(Role::Observer, status);
 }
 
+/// The poses are read from the map again, because a map that rejects a loop link also moves the
+/// frames that were attached to an experience by it.
 Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
   for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
     FramePose pose{frame, Eigen::Isometry3d::Identity()};
@@ -349,14 +352,7 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
                         " frames that update() accepted; the trajectories lack them");
 }
 
-/// The poses are read from the map again, because a map that rejects a loop link also moves the
-/// frames that were attached to an experience by it.
-void Chain::publishTrajectory(std::vector<FramePose>& poses) {
-  (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
-  const Status published = listener_.onTrajectory(poses);
-  if (!published.isOk()) fail(Role::Observer, published);
-}
-
+/// Checked against the final poses.
 Status Chain::finalGraph(const std::vector<FramePose>& poses, MapGraph& graph) {
   const Status status = stages_.map.graph(graph);
   if (!status.isOk()) return status;
@@ -384,12 +380,10 @@ void Chain::completeCounters() {
 
 std::vector<MotionRevision> Chain::finishStages() {
   std::vector<MotionRevision> revisions;
-  Impossible impossible;
+  std::vector<std::string> impossible;
   finishing(Role::Odometry, policies_.odometry,
             [&] { return stages_.odometry.finish(revisions, impossible); });
-  if (!impossible.revision.empty()) {
-    reportImpossible(-1, "the revision " + impossible.revision + "; it is left out");
-  }
+  reportImpossible(-1, impossible);
   finishing(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
   finishing(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
@@ -404,7 +398,10 @@ void Chain::finish() {
   completeCounters();
   const std::vector<MotionRevision> revisions = finishStages();
   std::vector<FramePose> poses;
-  publishTrajectory(poses);
+  (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
+  if (const Status status = listener_.onTrajectory(poses); !status.isOk()) {
+    fail(Role::Observer, status);
+  }
   MapGraph graph;
   const auto read_graph = [&] { return finalGraph(poses, graph); };
   // After a failure the graph may name a frame without a record. This is not a further failure.

@@ -11,6 +11,8 @@
 #include <optional>
 
 #include "config/settings.hpp"
+#include "engine/checked_odometry.hpp"
+#include "engine/failure.hpp"
 #include "engine/frame_records.hpp"
 #include "engine/rectified_source.hpp"
 #include "host/guard.hpp"
@@ -69,13 +71,6 @@ struct Stages {
   host::MapStage& map;
 };
 
-/// The failure that stopped a run.
-struct StageFailure {
-  Role role = Role::Source;  ///< Observer: the listener, i.e. recorder or observers
-  Status status;
-  bool other_scale = false;  ///< the map of the earlier session has lengths of another kind
-};
-
 /// Calls the stages for each frame and counts their answers. odometry() and place() may run at the
 /// same time, also for different frames; each function must be called for one frame at a time, in
 /// the order of frames.
@@ -96,7 +91,7 @@ class Chain {
   void runCellsAndMap(FrameRecords& records);
   /// Passes the answers to the listener. Frames that the map processed before a failure are passed
   /// on as well, even if the listener itself has failed.
-  void publish(const FrameRecords& records);
+  void publish(FrameRecords& records);
   /// Finishes odometry, place, cells and map, then passes the final trajectory and graph to the
   /// listener.
   void finish();
@@ -123,10 +118,9 @@ class Chain {
     });
     if (!status.isOk()) failBy(role, status);
   }
-  /// Reports a failure of the source. Frames that it gave before are still processed.
-  void failInput(const Status& status);
-  /// The failure that stopped the run: of a stage, else of the source; none if there is none.
-  std::optional<StageFailure> failure() const;
+  /// The failure that stopped the run: of a stage, else of the source; none if there is none. Its
+  /// stage is the name of a role; `observer`: of the listener, i.e. recorder or observers.
+  std::optional<Failure> failure() const;
   /// Whether place recognition must run after odometry.
   bool placeNeedsMotion() const { return place_needs_motion_; }
   /// Numbers and checks a frame that enters the stages; one call at a time.
@@ -137,8 +131,9 @@ class Chain {
   const StageTimes& finishTimes() const { return finish_times_ns_; }
   /// The stages that are being called at this moment, the source and finish() included.
   const StageActivity& stageActivity() const { return activity_; }
-  /// Reads the next frame of the source.
-  Status readFrame(FrameRecords& records);
+  /// The next frame of the source; null at its end, after a failure, or when cancelled. Frames that
+  /// a source gave before it failed are still processed.
+  FrameRecordsPtr readFrame(const Cancellation& cancellation);
   const RunCounters& counters() const { return counters_; }
   RunCounters& counters() { return counters_; }
   Stages& stages() { return stages_; }
@@ -152,14 +147,13 @@ class Chain {
   void warn(std::int64_t frame, Role role, const std::string& text);
   bool acceptMotion(FrameRecords& records);
   bool acceptScale(const Motion& motion);
-  void reportImpossible(std::int64_t frame, const std::string& text);
+  void reportImpossible(std::int64_t frame, const std::vector<std::string>& texts);
   bool acceptObservation(FrameRecords& records);
   bool runCells(FrameRecords& records);
   bool runMap(FrameRecords& records);
   void publishGraph(FrameRecords& records);
   void count(const FrameRecords& records);
   void countGraph(const MapGraph& graph);
-  /// Calls finish() of odometry, place, cells and map. Returns the revisions of odometry.
   std::vector<MotionRevision> finishStages();
   /// Calls `work` of finish(), adds its time, and applies the policy of the role. False on failure.
   template <class Work>
@@ -168,12 +162,8 @@ class Chain {
     (void)applyPolicy(status, policy, -1, role);
     return status.isOk();
   }
-  /// Completes the counters; reports dropped frames, and a run without motion.
   void completeCounters();
   Status readTrajectory(std::vector<FramePose>& poses) const;
-  /// Reads the final poses into `poses` and passes them to the listener.
-  void publishTrajectory(std::vector<FramePose>& poses);
-  /// The final graph, checked against the final poses.
   Status finalGraph(const std::vector<FramePose>& poses, MapGraph& graph);
   /// Calls `work`, marks the role as active during the call, and adds its time to `times`.
   template <class Work>
@@ -193,8 +183,8 @@ class Chain {
   StageActivity activity_{};
   StageTimes finish_times_ns_{};
   std::int64_t unanswered_ = -1;  ///< first frame without answers, because a stage failed; -1: none
-  std::optional<StageFailure> failure_;
-  std::optional<Status> input_failure_;
+  std::optional<Failure> failure_;
+  std::optional<Failure> input_failure_;
   std::optional<MapScale> scale_;  // none: nothing was tracked so far
   std::int64_t last_skipped_frame_ = -1;
   mutable std::mutex failure_mutex_;

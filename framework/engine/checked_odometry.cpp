@@ -7,8 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "host/motion_times.hpp"
-
 namespace tolman::engine {
 
 std::optional<std::string> MotionCheck::check(const Motion& motion) {
@@ -88,11 +86,15 @@ Motion predictedMotion(const Frame& frame, const Motion& last) {
   motion.stamp_ns = frame.stamp_ns;
   if (last.frame < 0) return motion;  // there is no motion before the first frame
   motion.scale_known = last.scale_known;
-  host::predict(motion, last, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
+  motion.state = TrackingState::Lost;
+  motion.T_previous_current = last.T_previous_current;
+  motion.covariance = Matrix6d::Identity();
+  setPlanarVelocity(motion, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
   return motion;
 }
 
-Status CheckedOdometry::track(const Frame& frame, Motion& motion, Impossible& impossible) {
+Status CheckedOdometry::track(const Frame& frame, Motion& motion,
+                              std::vector<std::string>& impossible) {
   const Status status = odometry_.track(frame, motion);
   if (!status.isOk()) {
     remember(predictedMotion(frame, last_));
@@ -100,14 +102,14 @@ Status CheckedOdometry::track(const Frame& frame, Motion& motion, Impossible& im
     return status;
   }
   answered_.push_back({motion.frame, motion.dt, motion.scale_known});
-  impossible.motion = motion_check_.check(motion).value_or("");
-  if (!impossible.motion.empty()) {
+  if (const auto reason = motion_check_.check(motion)) {
+    impossible.push_back("the motion " + *reason + "; it is predicted instead");
     replaced_.insert(frame.frame);
     Motion predicted = predictedMotion(frame, last_);
     predicted.revisions = std::move(motion.revisions);
     motion = std::move(predicted);
   }
-  filter(motion.revisions, impossible.revision);
+  filter(motion.revisions, impossible);
   predicted_.subtractFrom(motion);
   for (MotionRevision& revision : motion.revisions) predicted_.subtractFrom(revision);
   remember(motion);
@@ -120,30 +122,29 @@ void CheckedOdometry::remember(const Motion& motion) {
   last_.points.resize(Eigen::NoChange, 0);
 }
 
-Status CheckedOdometry::finish(std::vector<MotionRevision>& revisions, Impossible& impossible) {
+Status CheckedOdometry::finish(std::vector<MotionRevision>& revisions,
+                               std::vector<std::string>& impossible) {
   const Status status = odometry_.finish(revisions);
-  filter(revisions, impossible.revision);
+  filter(revisions, impossible);
   for (MotionRevision& revision : revisions) predicted_.subtractFrom(revision);
   return status;
 }
 
 /// Removes impossible revisions; revisions of a replaced motion are removed without a reason.
 void CheckedOdometry::filter(std::vector<MotionRevision>& revisions,
-                             std::string& impossible) const {
+                             std::vector<std::string>& impossible) const {
+  bool is_first = true;
   std::erase_if(revisions, [&](const MotionRevision& revision) {
     if (replaced_.contains(revision.frame)) return true;
-    const std::optional<std::string> reason = reasonAgainst(revision);
-    if (reason && impossible.empty()) {
-      impossible = "of frame " + std::to_string(revision.frame) + " " + *reason;
+    const auto of = std::ranges::lower_bound(answered_, revision.frame, {}, &Answered::frame);
+    if (of == answered_.end() || of->frame != revision.frame) return false;
+    const auto reason = motion_check_.checkRevision(revision, of->dt, of->scale_known);
+    if (reason && std::exchange(is_first, false)) {
+      impossible.push_back(
+          fmt::format("the revision of frame {} {}; it is left out", revision.frame, *reason));
     }
     return reason.has_value();
   });
-}
-
-std::optional<std::string> CheckedOdometry::reasonAgainst(const MotionRevision& revision) const {
-  const auto found = std::ranges::lower_bound(answered_, revision.frame, {}, &Answered::frame);
-  if (found == answered_.end() || found->frame != revision.frame) return std::nullopt;
-  return motion_check_.checkRevision(revision, found->dt, found->scale_known);
 }
 
 }  // namespace tolman::engine

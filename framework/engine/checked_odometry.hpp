@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "config/settings.hpp"
-#include "engine/frame_check.hpp"
+#include "engine/camera_check.hpp"
 #include "host/stages.hpp"
 
 namespace tolman::engine {
@@ -63,12 +63,6 @@ class PredictedSpan {
   std::map<std::int64_t, Eigen::Isometry3d> subtracted_;
 };
 
-/// Answers of odometry that are impossible for the robot; empty: none.
-struct Impossible {
-  std::string motion;    ///< why the motion was replaced
-  std::string revision;  ///< the first revision that was left out, and why
-};
-
 class CheckedOdometry {
  public:
   CheckedOdometry(host::OdometryStage& odometry, const config::CheckSettings& settings)
@@ -80,11 +74,11 @@ class CheckedOdometry {
     return check_images_ ? frame_check_.check(frame) : std::nullopt;
   }
 
-  /// Replaces an impossible motion by a prediction, and leaves out impossible revisions: an
-  /// odometry that tracks a moving object may report wrong motions with a small covariance.
-  Status track(const Frame& frame, Motion& motion, Impossible& impossible);
-
-  Status finish(std::vector<MotionRevision>& revisions, Impossible& impossible);
+  /// Replaces a motion that is impossible for the robot by a prediction, and leaves out such
+  /// revisions: an odometry that tracks a moving object may report wrong motions with a small
+  /// covariance. `impossible` says why: of the motion, and of the first of the revisions.
+  Status track(const Frame& frame, Motion& motion, std::vector<std::string>& impossible);
+  Status finish(std::vector<MotionRevision>& revisions, std::vector<std::string>& impossible);
 
  private:
   /// A motion that may be revised.
@@ -94,8 +88,7 @@ class CheckedOdometry {
     bool scale_known = true;
   };
   void remember(const Motion& motion);
-  void filter(std::vector<MotionRevision>& revisions, std::string& impossible) const;
-  std::optional<std::string> reasonAgainst(const MotionRevision& revision) const;
+  void filter(std::vector<MotionRevision>& revisions, std::vector<std::string>& impossible) const;
 
   host::OdometryStage& odometry_;
   bool check_images_;

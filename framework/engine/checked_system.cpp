@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
+#include <functional>
 #include <set>
 
 #include "config/loader.hpp"
 #include "config/tree.hpp"
 
 namespace tolman::engine {
+
 namespace {
 
 using Kind = config::Problem::Kind;
@@ -65,7 +68,7 @@ struct Opened {
   std::shared_ptr<host::RemotePlugin> remote;
 };
 
-/// The program that the key `file` names, as a plugin. Throws Failed.
+/// The program that the key `file` names, as a plugin. Throws Failure.
 host::Manifest programOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
                          const config::SystemConfig& config) {
   const Schema schema = config::programSchema();
@@ -75,35 +78,31 @@ host::Manifest programOf(const host::Catalogue& catalogue, const config::StageCo
   const auto values = config::check(own, schema, {stage.path, "plugin " + stage.plugin, {}},
                                     config.folders, problems);
   if (!problems.empty())
-    throw Failed(
-        {FailureKind::Configuration, "'" + schema[0].name + "' " + problems.front().message, {}});
+    throw Failure(FailureKind::Configuration,
+                  "'" + schema[0].name + "' " + problems.front().message);
   return require(catalogue.program(std::get<std::string>(values.at(schema[0].name))));
 }
 
-/// Refuses a program of another role: its role is known only when it is open. Throws Failed.
-void requireRole(const host::Manifest& manifest, Role role) {
-  if (manifest.role == role) return;
-  require(host::OrRefusal<bool>(host::Refusal{
-      "plugin/wrong-role",
-      manifest.program.string() + " has the role " + std::string(enumName(manifest.role)) +
-          ", not " + std::string(enumName(role)),
-      "derive its class from the class of the stage's role"}));
-}
-
-/// Opens a plugin in a process of its own. Throws Failed.
+/// Opens a plugin in a process of its own. Throws Failure.
 Opened openApart(const host::Manifest& manifest, Role role, const config::SystemConfig& config,
                  const SystemOptions& options) {
   const host::LaunchOptions launch{options.stage_program, config.isolation.deadline,
                                    static_cast<std::uint64_t>(config.isolation.memory_limit),
                                    config.general.threads};
   auto remote = require(host::RemotePlugin::start(manifest, launch));
-  requireRole(remote->manifest(), role);
+  if (remote->manifest().role != role) {  // known of a program only when it is open
+    require(host::OrRefusal<bool>(
+        host::Refusal{"plugin/wrong-role",
+                      fmt::format("{} has the role {}, not {}", manifest.program.string(),
+                                  enumName(remote->manifest().role), enumName(role)),
+                      "derive its class from the class of the stage's role"}));
+  }
   Schema schema = manifest.program.empty() ? Schema() : config::programSchema();
   schema.insert(schema.end(), remote->schema().begin(), remote->schema().end());
   return {{remote->manifest(), nullptr, std::move(schema)}, remote};
 }
 
-/// Opens the plugin of a stage. Throws Failed.
+/// Opens the plugin of a stage. Throws Failure.
 Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
             const config::SystemConfig& config, const SystemOptions& options) {
   const auto manifest = manifestOf(catalogue, stage, config);
@@ -127,13 +126,6 @@ void prepareRestart(const config::StageConfig& stage, host::RemotePlugin& remote
              "' cannot be restarted in a new process (a source never can; place, cells and map "
              "plugins must save their state); use 'skip' or 'stop'"});
   }
-}
-
-/// Whether there is a Bool parameter with this name.
-bool declares(const Schema& schema, std::string_view name) {
-  return std::ranges::any_of(schema, [&](const ParameterInfo& p) {
-    return p.name == name && p.type == ParameterType::Bool;
-  });
 }
 
 }  // namespace
@@ -203,16 +195,18 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
     Opened opened;
     try {
       opened = open(catalogue, stage, checked.config, options);
-    } catch (const Failed& refused) {
-      if (refused.failure.kind == FailureKind::Machine) return refused.failure;
+    } catch (const Failure& refused) {
+      if (refused.kind == FailureKind::Machine) return refused;
       problems.push_back(
           {stage.pluginOrigin(), stage.path + ".plugin", refused.what(), Kind::Plugin});
       continue;
     }
     ParameterValues& values = checked.values[stage.instance];
     values = config::check(stage, opened.plugin.schema, checked.config.folders, problems);
-    if (options.quiet && stage.role == Role::Observer && declares(opened.plugin.schema, "quiet")) {
-      values["quiet"] = true;
+    const auto quiet = values.find("quiet");
+    if (options.quiet && stage.role == Role::Observer && quiet != values.end() &&
+        std::holds_alternative<bool>(quiet->second)) {
+      quiet->second = true;
     }
     if (opened.remote && stage.on_failure == config::FailurePolicy::Restart) {
       prepareRestart(stage, *opened.remote, problems);
@@ -225,6 +219,44 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
       problems, [](const config::Problem& p) { return p.kind == Kind::Plugin; });
   return Failure{only_plugins ? FailureKind::Plugin : FailureKind::Configuration,
                  config::format(problems)};
+}
+
+InputPaths inputPaths(const config::SystemConfig& config, const config::StageValues& values,
+                      const StageSchemas& schemas) {
+  namespace fs = std::filesystem;
+  InputPaths paths;
+  std::error_code ignored;
+  const auto add = [&](const std::string& path, bool is_needed) {
+    if (!fs::exists(path, ignored)) {
+      if (is_needed) paths.missing.insert(path);
+    } else if (std::ranges::find(paths.present, path) == paths.present.end()) {
+      paths.present.push_back(path);
+    }
+  };
+  if (!config.general.continue_from.empty()) add(config.general.continue_from, true);
+  for (const config::StageConfig& stage : config.stages) {
+    const auto schema = schemas.find(stage.instance);
+    const auto own = values.find(stage.instance);
+    if (stage.role == Role::Observer || schema == schemas.end() || own == values.end()) continue;
+    for (const ParameterInfo& info : *schema->second) {
+      const auto value = own->second.find(info.name);
+      if (value == own->second.end()) continue;
+      const auto* text = std::get_if<std::string>(&value->second);
+      if (text == nullptr || text->empty()) continue;
+      const bool names_file =
+          info.type == ParameterType::Text && fs::is_regular_file(*text, ignored);
+      if (info.type == ParameterType::Path || names_file) add(*text, stage.role == Role::Source);
+    }
+  }
+  return paths;
+}
+
+InputPaths inputPaths(const CheckedSystem& system) {
+  StageSchemas schemas;
+  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
+    schemas[system.config.stages[i].instance] = &system.plugins[i].schema;
+  }
+  return inputPaths(system.config, system.values, schemas);
 }
 
 }  // namespace tolman::engine

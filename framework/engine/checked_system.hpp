@@ -4,7 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,14 +47,14 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);
 host::OrRefusal<std::string> findPageObserver(const host::Catalogue& catalogue,
                                               const std::string& wanted = {});
 
-/// Finds one plugin, checks the gate and opens it. Throws Failed.
+/// Finds one plugin, checks the gate and opens it. Throws Failure.
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role);
 
-/// The manifest of the plugin of a stage, or of the program that it runs. Throws Failed.
+/// The manifest of the plugin of a stage, or of the program that it runs. Throws Failure.
 host::Manifest manifestOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
                           const config::SystemConfig& config);
 /// Opens a plugin to read its parameters and files; a program is opened in a temporary process.
-/// Throws Failed.
+/// Throws Failure.
 host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
                                 const config::SystemConfig& config);
 
@@ -79,5 +82,21 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options,
 /// Whether the configuration has any of odometry, place, cells and map. False for a file that
 /// cannot be read: checkSystem() reports why.
 bool hasChain(const SystemOptions& options);
+
+/// What the plugins of the stages declare, by the name of the stage; not of stages without a
+/// plugin.
+using StageSchemas = std::map<std::string, const Schema*, std::less<>>;
+
+/// The files and folders that a configuration reads.
+struct InputPaths {
+  /// Those that parameters of the stages name, and the run that is continued; each once, in order.
+  /// A text parameter that is the path of a file counts as well.
+  std::vector<std::string> present;
+  /// Those of the source, and the run to continue, that do not exist (yet). A run will fail.
+  std::set<std::string> missing;
+};
+InputPaths inputPaths(const config::SystemConfig& config, const config::StageValues& values,
+                      const StageSchemas& schemas);
+InputPaths inputPaths(const CheckedSystem& system);
 
 }  // namespace tolman::engine

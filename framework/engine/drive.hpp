@@ -20,6 +20,11 @@ inline constexpr std::array<std::string_view, 3> kExposureClockNames = {"pace", 
                                                                         "system"};
 constexpr std::span<const std::string_view> enumNames(ExposureClock) { return kExposureClockNames; }
 
+/// The clock of stamps: those of a live camera if the source does not know its number of frames and
+/// the stamp is within the last 5 s of one of the machine's clocks.
+ExposureClock exposureClock(bool is_endless, std::int64_t stamp_ns, std::int64_t monotonic_ns,
+                            std::int64_t system_ns);
+
 /// Time from the exposure of a frame to its pose in the map, in realtime runs.
 struct Latency {
   std::int64_t frames = 0;  ///< number of measured frames; 0 in lossless runs
@@ -29,7 +34,7 @@ struct Latency {
 };
 
 struct DriveResult {
-  std::optional<StageFailure> failure;  ///< what stopped the run early, if anything
+  std::optional<Failure> failure;  ///< what stopped the run early, if anything
   bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
   RunCounters counters;
   StageTimes finish_times_ns{};  ///< time that finish() of each stage took
@@ -43,20 +48,5 @@ int concurrency(int threads);
 /// cancellation, to keep the results so far. `threads` bounds the parallelism (0: all cores).
 DriveResult drive(Chain& chain, const config::PipelineSettings& options, int threads,
                   const Cancellation& cancellation);
-
-/// The clock of stamps: those of a live camera if the source does not know its number of frames and
-/// the stamp is within the last 5 s of one of the machine's clocks.
-ExposureClock exposureClock(bool is_endless, std::int64_t stamp_ns, std::int64_t monotonic_ns,
-                            std::int64_t system_ns);
-
-/// Whether a source without a next frame has not failed: it is at its end, or noticed itself that
-/// the run was interrupted.
-bool isEndOfInput(const Status& status, const Cancellation& cancellation);
-
-/// The two ways to pass frames to the stages; drive() chooses by `options.mode`.
-void runLossless(Chain& chain, const config::PipelineSettings& options,
-                 const Cancellation& cancellation);
-Latency runRealtime(Chain& chain, const config::PipelineSettings& options,
-                    const Cancellation& cancellation);
 
 }  // namespace tolman::engine

@@ -5,15 +5,15 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 
-#include "host/gate.hpp"
 #include "host/guard.hpp"
+#include "host/manifest.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::engine {
@@ -33,16 +33,16 @@ inline constexpr std::array<std::string_view, 8> kFailureKindNames = {
     "record",        "continuation", "machine", "interrupted"};
 constexpr std::span<const std::string_view> enumNames(FailureKind) { return kFailureKindNames; }
 
-struct Failure {
-  FailureKind kind = FailureKind::Configuration;
-  std::string message;
-  std::string stage{};  ///< its name in the configuration; empty when no stage is concerned
-};
+/// It is thrown up to the boundary of the program, Run::execute() or the end of a command, and kept
+/// in the outcome of a run.
+struct Failure : std::exception {
+  Failure(FailureKind k, std::string text, std::string where = {})  // NOLINT: implicit
+      : kind(k), message(std::move(text)), stage(std::move(where)) {}
+  const char* what() const noexcept override { return message.c_str(); }
 
-/// Carries a failure to the boundary of the program: Run::execute(), or the end of a command.
-struct Failed : std::runtime_error {
-  explicit Failed(Failure f) : std::runtime_error(f.message), failure(std::move(f)) {}
-  Failure failure;
+  FailureKind kind;
+  std::string message;
+  std::string stage;  ///< its name in the configuration; empty when no stage is concerned
 };
 
 inline FailureKind kindOf(const host::Refusal& refusal) {
@@ -59,12 +59,12 @@ inline FailureKind kindOf(const Status& status, FailureKind usual) {
 }
 
 [[noreturn]] inline void refuseToContinue(const std::string& message) {
-  throw Failed({FailureKind::Continuation, message});
+  throw Failure(FailureKind::Continuation, message);
 }
 
-// Each returns the value, or throws Failed where there is none.
+// Each returns the value, or throws Failure where there is none.
 inline void require(const Status& status, FailureKind kind, const std::string& stage = {}) {
-  if (!status.isOk()) throw Failed({kindOf(status, kind), status.message(), stage});
+  if (!status.isOk()) throw Failure(kindOf(status, kind), status.message(), stage);
 }
 template <class T>
 T require(Result<T> result, FailureKind kind) {
@@ -73,13 +73,13 @@ T require(Result<T> result, FailureKind kind) {
 }
 template <class T>
 T require(std::variant<T, Failure> answer) {
-  if (auto* failure = std::get_if<Failure>(&answer)) throw Failed(std::move(*failure));
+  if (auto* failure = std::get_if<Failure>(&answer)) throw std::move(*failure);
   return std::get<T>(std::move(answer));
 }
 template <class T>
 T require(host::OrRefusal<T> answer, const std::string& stage = {}) {
   const auto* refusal = std::get_if<host::Refusal>(&answer);
-  if (refusal != nullptr) throw Failed({kindOf(*refusal), refusal->text(), stage});
+  if (refusal != nullptr) throw Failure(kindOf(*refusal), refusal->text(), stage);
   return std::get<T>(std::move(answer));
 }
 

@@ -68,22 +68,11 @@ Status Findings::judge(const Status& status, std::int64_t frame) {
                               "; to go on without what is wrong, set on_findings: continue");
 }
 
-std::vector<Findings::Kind> Findings::takeNewKinds() {
+std::vector<Findings::Kind> Findings::takeKinds(bool are_new) {
   const std::lock_guard lock(mutex_);
   std::vector<Kind> taken;
   for (Kind& kind : kinds_) {
-    if (kind.printed > 0) continue;
-    taken.push_back(kind);
-    kind.printed = kind.count;
-  }
-  return taken;
-}
-
-std::vector<Findings::Kind> Findings::takeGrownKinds() {
-  const std::lock_guard lock(mutex_);
-  std::vector<Kind> taken;
-  for (Kind& kind : kinds_) {
-    if (kind.printed == kind.count) continue;
+    if (kind.printed == kind.count || (are_new && kind.printed > 0)) continue;
     taken.push_back(kind);
     kind.printed = kind.count;
   }

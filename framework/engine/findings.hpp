@@ -40,13 +40,14 @@ class Findings {
     std::string text() const;
   };
   /// What to print now: the kinds that were never printed.
-  std::vector<Kind> takeNewKinds();
+  std::vector<Kind> takeNewKinds() { return takeKinds(true); }
   /// What to print at the end: the kinds with more findings than were printed.
-  std::vector<Kind> takeGrownKinds();
+  std::vector<Kind> takeGrownKinds() { return takeKinds(false); }
   /// The findings that were not taken yet; during a run only those whose frame is known.
   std::vector<record::RecordedFinding> take(bool at_end = true);
 
  private:
+  std::vector<Kind> takeKinds(bool are_new);
   std::mutex mutex_;
   config::FindingPolicy policy_;
   std::vector<record::RecordedFinding> untaken_;

@@ -13,11 +13,12 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "config/json_text.hpp"
 #include "engine/build_info.hpp"
-#include "engine/input_data.hpp"
+#include "engine/checked_system.hpp"
 #include "engine/run.hpp"
 #include "record/data_digest.hpp"
 #include "record/digest.hpp"
@@ -42,10 +43,8 @@ std::string processorEntry(std::string_view name) {
 Json processorFeatures() {
   Json features = Json::array();
   const std::string flags = " " + processorEntry("flags") + " ";
-  for (const char* feature : {"sse4_2", "avx", "fma", "avx2", "avx512f", "avx512vl"}) {
-    if (flags.find(std::string(" ") + feature + " ") != std::string::npos) {
-      features.push_back(feature);
-    }
+  for (const std::string feature : {"sse4_2", "avx", "fma", "avx2", "avx512f", "avx512vl"}) {
+    if (flags.find(" " + feature + " ") != std::string::npos) features.push_back(feature);
   }
   return features;
 }
@@ -55,7 +54,7 @@ Json processorFeatures() {
 Json dataList(const CheckedSystem& system) {
   constexpr std::int64_t kMaxDigested = std::int64_t{1} << 30U;
   Json list = Json::array();
-  for (const std::string& path : inputPaths(system)) {
+  for (const std::string& path : inputPaths(system).present) {
     const auto digest = record::digestData(path, {}, kMaxDigested);
     if (!digest.isOk()) {
       list.push_back({{"path", path}, {"reason", digest.status().message()}});
@@ -72,9 +71,9 @@ Json dataList(const CheckedSystem& system) {
 /// whose name has the version, without links.
 int addLibrary(dl_phdr_info* library, std::size_t, void* libraries) {
   const std::filesystem::path file = library->dlpi_name;
-  for (const char* name :
+  for (const std::string name :
        {"opencv_core", "ceres", "cholmod", "blas", "lapack", "tbb", "embree3", "jpeg", "avcodec"}) {
-    if (!file.filename().string().starts_with("lib" + std::string(name) + ".so")) continue;
+    if (!file.filename().string().starts_with("lib" + name + ".so")) continue;
     std::error_code error;
     const auto resolved = std::filesystem::canonical(file, error);
     (*static_cast<std::map<std::string, std::string>*>(libraries))[name] =
@@ -195,27 +194,26 @@ Json provenance(const Assembly& assembly, const std::vector<std::string>& comman
 
 std::vector<std::string> changedProgramFiles(const Json& before, const Json& now,
                                              std::initializer_list<Role> roles) {
-  std::vector<std::string> changed;
-  const auto addOthers = [&](const auto& files, const auto& others) {
-    for (const auto& entry : files) {  // a lambda of clang 14 cannot capture parts of it
-      const auto known = others.find(entry.first);
-      const bool is_same = known != others.end()
-                               ? known->second == entry.second
-                               : std::ranges::any_of(others, [&](const auto& other) {
-                                   return other.second == entry.second;
-                                 });
-      const bool is_listed = std::ranges::find(changed, entry.first) != changed.end();
-      if (!is_same && !is_listed) changed.push_back(entry.first);
+  std::set<std::string> changed;
+  using Files = std::map<std::string, std::string>;
+  const auto addOthers = [&](const Files& files, const Files& others) {
+    for (const auto& [file, digest] : files) {
+      const auto known = others.find(file);
+      const bool has_moved =
+          known == others.end() && std::ranges::any_of(others, [&d = digest](const auto& other) {
+            return other.second == d;
+          });
+      if (!has_moved && (known == others.end() || known->second != digest)) changed.insert(file);
     }
   };
   for (const Role role : roles) {
-    const auto then = filesOf(before, role);
-    const auto files = filesOf(now, role);
+    const Files then = filesOf(before, role);
+    const Files files = filesOf(now, role);
     if (then.empty()) continue;
     addOthers(files, then);
     addOthers(then, files);
   }
-  return changed;
+  return {changed.begin(), changed.end()};
 }
 
 std::string newRunId(Json run_file, bool is_realtime) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/assembly.hpp"
-#include "engine/run_counters.hpp"
+#include "engine/frame_records.hpp"
 
 namespace tolman::engine {
 

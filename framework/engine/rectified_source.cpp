@@ -8,7 +8,7 @@
 
 #include "engine/camera_check.hpp"
 #include "engine/rectified_view.hpp"
-#include "host/frame_images.hpp"
+#include "host/values.hpp"
 
 namespace tolman::engine {
 

@@ -9,7 +9,6 @@
 
 #include "config/settings.hpp"
 #include "engine/findings.hpp"
-#include "engine/image_cut.hpp"
 #include "engine/pixel_map.hpp"
 #include "host/stages.hpp"
 

@@ -47,7 +47,7 @@ RecordedImages::RecordedImages(const std::filesystem::path& directory,
   try {
     auto checked = checkSystem({config.string(), {}, std::move(plugin_paths)}, Scope::Source);
     assembly_ = std::make_unique<Assembly>(require(std::move(checked)), log_, clock, cancellation);
-  } catch (const Failed& failed) {
+  } catch (const Failure& failed) {
     end(failed.what());
   }
 }

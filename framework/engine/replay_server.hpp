@@ -64,7 +64,7 @@ class ReplayServer {
         listener_(listener),
         logger_(log, "viewer") {}
 
-  /// Serves until it is cancelled. Throws Failed.
+  /// Serves until it is cancelled. Throws Failure.
   void serve();
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/results.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -24,19 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The parsed configuration; the defaults if it has problems.
-config::SystemConfig systemOf(const config::Loaded& loaded) {
-  config::Problems problems = loaded.problems;
-  config::SystemConfig system = config::parse(loaded, problems);
-  return problems.empty() ? system : config::SystemConfig{};
-}
-
 /// The page of a run, evaluated by the settings of its configuration, or by the defaults if it
 /// cannot be read.
 Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitChoice& units) {
   const config::Loaded loaded = config::load(run.directory() / "config.resolved.yaml", {},
                                              [](const std::string&) { return std::nullopt; });
-  const config::SystemConfig system = systemOf(loaded);
+  config::Problems problems = loaded.problems;
+  config::SystemConfig system = config::parse(loaded, problems);
+  if (!problems.empty()) system = {};
   auto data =
       report::readRun(run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
   if (!data.isOk()) return data.status();
@@ -50,24 +47,21 @@ class ReportFiles {
  public:
   explicit ReportFiles(fs::path folder) : folder_(std::move(folder)) {}
 
-  /// Adds a figure to `figures/sub`; with `pixels` as PNG, too.
-  Status addFigure(const std::string& sub, const std::string& name, const std::string& svg,
-                   bool pixels) {
-    add(sub, name + ".svg", svg);
-    if (!pixels) return Status::ok();
-    auto png = report::pngOf(svg);
-    if (!png.isOk()) return png.status();
-    add(sub, name + ".png", std::move(png).value());
+  /// Adds figures to `figures/sub`; with `pixels` as PNG, too.
+  Status addFigures(const std::string& sub, const std::vector<report::PageFigure>& figures,
+                    bool pixels) {
+    for (const report::PageFigure& figure : figures) {
+      add(sub, figure.file + ".svg", figure.svg);
+      if (!pixels) continue;
+      auto png = report::pngOf(figure.svg);
+      if (!png.isOk()) return png.status();
+      add(sub, figure.file + ".png", std::move(png).value());
+    }
     return Status::ok();
   }
   Status addFigures(const std::string& sub, const report::RunPage& page, bool pixels) {
-    Status status;
-    for (const report::PageFigure& figure : page.figures) {
-      if (status.isOk()) status = addFigure(sub, figure.file, figure.svg, pixels);
-    }
-    if (status.isOk() && !page.neurons.is_null()) {
-      add(sub, "neurons.json", page.neurons.dump() + "\n");
-    }
+    const Status status = addFigures(sub, page.figures, pixels);
+    if (!page.neurons.is_null()) add(sub, "neurons.json", page.neurons.dump() + "\n");
     return status;
   }
 
@@ -115,18 +109,9 @@ Parts partsOf(const fs::path& run) {
   return parts;
 }
 
-bool haveSameEnd(const std::vector<Parts>& paths) {
-  return std::ranges::all_of(paths, [&](const Parts& parts) {
-    return parts.size() > 1 && parts.back() == paths.front().back();
-  });
-}
-
 std::string lastParts(const Parts& parts, std::size_t count) {
-  std::string name;
-  for (std::size_t i = parts.size() - std::min(count, parts.size()); i < parts.size(); ++i) {
-    name += (name.empty() ? "" : "-") + parts[i];
-  }
-  return name;
+  const auto begin = parts.end() - static_cast<std::ptrdiff_t>(std::min(count, parts.size()));
+  return fmt::format("{}", fmt::join(begin, parts.end(), "-"));
 }
 
 }  // namespace
@@ -160,7 +145,12 @@ std::vector<std::string> distinctNames(const std::vector<fs::path>& runs) {
     longest = std::max(longest, paths.back().size());
   }
   const std::size_t different = std::set<Parts>(paths.begin(), paths.end()).size();
-  while (different > 1 && haveSameEnd(paths)) {
+  const auto have_same_end = [&] {
+    return std::ranges::all_of(paths, [&](const Parts& parts) {
+      return parts.size() > 1 && parts.back() == paths.front().back();
+    });
+  };
+  while (different > 1 && have_same_end()) {
     for (Parts& parts : paths) parts.pop_back();
   }
   std::vector<std::string> names(runs.size());
@@ -198,7 +188,7 @@ Result<std::vector<fs::path>> writeReport(
   }
   const std::string comparison = report::comparisonFigure(pages);
   if (!comparison.empty()) {
-    const Status status = files.addFigure("", "comparison", comparison, true);
+    const Status status = files.addFigures("", {{"comparison", "", comparison}}, true);
     if (!status.isOk()) return status;
   }
   return files.write(report::html(pages));

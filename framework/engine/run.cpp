@@ -20,8 +20,9 @@ record::RunState stateOf(const Outcome& outcome) {
   return outcome.interrupted ? record::RunState::Interrupted : record::RunState::Finished;
 }
 
-Failure recordFailure(const Status& status) {
-  return {kindOf(status, FailureKind::Record), status.message()};
+std::optional<Failure> recordFailure(const Status& status) {
+  if (status.isOk()) return std::nullopt;
+  return Failure(kindOf(status, FailureKind::Record), status.message());
 }
 
 }  // namespace
@@ -31,12 +32,10 @@ Outcome Run::execute(CheckedSystem system) {
   try {
     prepare(std::move(system));
     drive(outcome);
-  } catch (const Failed& failed) {
-    outcome.interrupted = failed.failure.kind == FailureKind::Interrupted;
-    if (!outcome.interrupted) outcome.failure = failed.failure;
-    if (outcome.interrupted) {
-      log_.write(LogLevel::Warning, failed.failure.stage, failed.failure.message);
-    }
+  } catch (const Failure& failure) {
+    outcome.interrupted = failure.kind == FailureKind::Interrupted;
+    if (!outcome.interrupted) outcome.failure = failure;
+    if (outcome.interrupted) log_.write(LogLevel::Warning, failure.stage, failure.message);
   }
   conclude(outcome);
   return outcome;
@@ -65,11 +64,13 @@ void Run::drive(Outcome& outcome) {
   }
   warnOfSource(result, listener);
   listener.reportRepeated();
-  outcome.failure = failureOf(result, listener);
-  if (!outcome.failure) outcome.failure = unsaved;
-  if (!outcome.failure && result.interrupted) outcome.failure = stop_.reason();
-  const Status closed = recorder_->close();
-  if (!closed.isOk() && listener.recordStatus().isOk()) outcome.failure = recordFailure(closed);
+  // The first that is one is the failure of the run.
+  const std::optional<Failure> failures[] = {
+      recordFailure(listener.recordStatus()), recordFailure(recorder_->close()),
+      failureOf(result, listener), unsaved, result.interrupted ? stop_.reason() : std::nullopt};
+  for (const auto& failure : failures) {
+    if (!outcome.failure) outcome.failure = failure;
+  }
   outcome.interrupted = result.interrupted;
   outcome.counters = result.counters;
   outcome.finish_times_ns = result.finish_times_ns;
@@ -83,7 +84,7 @@ void Run::warnOfSource(const DriveResult& result, RunListener& listener) {
   constexpr double kImpossible_s = 10;  // no odometry follows such images
   if (result.failure || result.interrupted) return;
   const auto warn = [&](const std::string& text) {
-    listener.onEvent({-1, LogLevel::Warning, assembly_->stageName(Role::Source), text});
+    listener.onEvent({-1, LogLevel::Warning, "source", text});
   };
   if (const double step = listener.meanStep(); step > kImpossible_s) {
     warn(fmt::format(
@@ -110,20 +111,17 @@ WatchdogSettings Run::watchdogSettings(RunListener& listener) {
 }
 
 std::optional<Failure> Run::failureOf(const DriveResult& result, const RunListener& listener) {
-  if (!listener.recordStatus().isOk()) return recordFailure(listener.recordStatus());
   const RunCounters& n = result.counters;
-  if (result.failure) {
-    Failure failure = assembly_->failureOf(*result.failure);
-    if (result.failure->role == Role::Observer) failure.stage = listener.failedObserver();
-    return failure;
+  std::optional<Failure> failure = result.failure;
+  if (failure && failure->stage == enumName(Role::Observer)) {
+    failure->stage = listener.failedObserver();
   }
-  if (result.interrupted || n.frames > 0) return std::nullopt;
-  Failure failure =
-      n.skipped > 0
-          ? Failure{FailureKind::Stage, "every frame was skipped, as a stage failed at each"}
-          : Failure{FailureKind::Dataset,
-                    "source: gave no frame; look at first, last and step, and at the data"};
-  log_.write(LogLevel::Error, "source", failure.message, false);
+  if (failure || result.interrupted || n.frames > 0) return failure;
+  failure = n.skipped > 0
+                ? Failure(FailureKind::Stage, "every frame was skipped, as a stage failed at each")
+                : Failure(FailureKind::Dataset,
+                          "source: gave no frame; look at first, last and step, and at the data");
+  log_.write(LogLevel::Error, "source", failure->message, false);
   return failure;
 }
 
@@ -140,7 +138,7 @@ std::optional<Failure> Run::saveState(const DriveResult& result, RunListener& li
   if (!written.isOk()) return recordFailure(written);
   if (stage_failure.isOk()) return std::nullopt;
   if (n.skipped == 0) {
-    return Failure{kindOf(stage_failure, FailureKind::Stage), stage_failure.message()};
+    return Failure(kindOf(stage_failure, FailureKind::Stage), stage_failure.message());
   }
   listener.onEvent(
       {-1, LogLevel::Warning, "state", stage_failure.message() + "; this run cannot be continued"});

@@ -15,7 +15,6 @@
 #include "engine/assembly.hpp"
 #include "engine/drive.hpp"
 #include "engine/run_listener.hpp"
-#include "engine/watchdog.hpp"
 #include "evaluation/metrics.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
@@ -62,7 +61,7 @@ class Run {
 
  private:
   const config::SystemConfig& config() const { return assembly_->system().config; }
-  // prepare() and what it calls throw Failed.
+  // prepare() and what it calls throw Failure.
   void prepare(CheckedSystem system);
   void checkOut(const std::string& continued) const;
   void continueEarlierRun();
@@ -72,8 +71,6 @@ class Run {
   void openRecord();
   void recordSessions();
   void warnOfOthers(const std::vector<CameraRig>& before);
-  void recordForReplay();
-  std::string runId() const;
 
   void drive(Outcome& outcome);
   void warnOfSource(const DriveResult& result, RunListener& listener);

@@ -8,9 +8,8 @@
 
 #include "config/system_config.hpp"
 #include "config/values.hpp"
-#include "engine/input_data.hpp"
+#include "engine/checked_system.hpp"
 #include "engine/provenance.hpp"
-#include "engine/resume.hpp"
 #include "engine/run.hpp"
 #include "engine/saved_state.hpp"
 #include "record/atomic_file.hpp"
@@ -42,13 +41,13 @@ void refuseOthers(const fs::path& run, const RunJson& before, const RunJson& now
   }
   std::vector<std::string> changed = changedProgramFiles(
       before, now, {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map});
-  if (others("data")) {
+  if (changed.empty() && others("data")) {
     const nlohmann::json then = before["data"];
-    for (const auto& data : now["data"]) {
-      const bool is_same = std::ranges::find(then, nlohmann::json(data)) != then.end();
-      if (!is_same) changed.push_back(data["path"].get<std::string>());
-    }
-    if (changed.empty()) changed.emplace_back("the list of files");
+    const auto other = std::ranges::find_if(now["data"], [&](const auto& data) {
+      return std::ranges::find(then, nlohmann::json(data)) == then.end();
+    });
+    changed.push_back(other == now["data"].end() ? "the list of files"
+                                                 : (*other)["path"].template get<std::string>());
   }
   if (changed.empty()) return;
   refuseToContinue(changed.front() + ": has other contents than when the run began (" + file +
@@ -58,7 +57,7 @@ void refuseOthers(const fs::path& run, const RunJson& before, const RunJson& now
 }  // namespace
 
 void Run::prepare(CheckedSystem system) {
-  inputs_ = inputPaths(system);
+  inputs_ = inputPaths(system).present;
   checkOut(system.config.general.continue_from);
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
@@ -83,8 +82,8 @@ void Run::checkOut(const std::string& continued) const {
   }
   for (const std::string& input : inputs_) {
     if (!fs::exists(options_.out, ignored) || !record::isInside(input, options_.out)) continue;
-    throw Failed({FailureKind::Record, options_.out.string() + ": holds data that the run reads (" +
-                                           input + "); choose another --out"});
+    throw Failure(FailureKind::Record, options_.out.string() + ": holds data that the run reads (" +
+                                           input + "); choose another --out");
   }
   require(record::RunDirectory::mayTake(options_.out, options_.replace), FailureKind::Record);
 }
@@ -140,8 +139,8 @@ void Run::resumeRun() {
   log_.write(LogLevel::Info, "resume", "source and odometry repeat the recorded frames");
   resume_ = resumeAt(*assembly_, directory.path(), stop_);
   if (stop_.requested()) {
-    throw Failed({FailureKind::Interrupted, "interrupted while it was resumed; nothing was changed",
-                  "resume"});
+    throw Failure(FailureKind::Interrupted, "interrupted while it was resumed; nothing was changed",
+                  "resume");
   }
   directory_ = std::make_unique<record::RunDirectory>(std::move(directory));
   reopenRecord(std::move(before), std::move(now));
@@ -238,16 +237,13 @@ void Run::openRecord() {
   const bool is_realtime = config().pipeline.mode == config::PipelineMode::Realtime;
   run_file_[record::kRunIdKey] = newRunId(run_file_, is_realtime);
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
-  recorder_ = require(record::Recorder::open(directory_->path(), runId()), FailureKind::Record);
+  recorder_ =
+      require(record::Recorder::open(directory_->path(), run_file_.value(record::kRunIdKey, "")),
+              FailureKind::Record);
   recordSessions();
   require(recorder_->meta("name", config().general.name), FailureKind::Record);
   const bool has_images = assembly_->sourceInfo().rig.width > 0;
-  if (config().record.replay || (options_.share_answers && has_images)) recordForReplay();
-}
-
-std::string Run::runId() const { return run_file_.value(record::kRunIdKey, ""); }
-
-void Run::recordForReplay() {
+  if (!config().record.replay && !(options_.share_answers && has_images)) return;
   std::vector<ArrayInfo> sensors;
   require(assembly_->source().instance().describe(sensors), FailureKind::Plugin);
   require(recorder_->recordForReplay(sensors.size()), FailureKind::Record);

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
@@ -12,6 +14,7 @@
 #include "record/atomic_file.hpp"
 
 namespace tolman::engine {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,7 +91,7 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
   return record::writeAtomically(file, config::jsonText(contents, 2) + "\n");
 }
 
-/// Throws Failed for another plugin, version or parameter than in the earlier session.
+/// Throws Failure for another plugin, version or parameter than in the earlier session.
 void checkStage(const StateJson& then, const SavedStage& stage, const fs::path& directory) {
   const std::string& name = stage.config->path;
   const host::Manifest& manifest = stage.instance->manifest();
@@ -255,6 +258,118 @@ void removeCheckpoint(const fs::path& directory) {
   if (!fs::exists(sessionFile(directory), ignored)) return;
   fs::remove(checkpointFile(directory), ignored);
   removeCheckpointsBut(sessionFile(directory).parent_path(), -1);
+}
+
+namespace {
+
+/// The record holds a rotation as a quaternion, so the last bits may differ; m and rad.
+constexpr double kRounding = 1e-9;
+
+/// The record of frame `frame`, the last one of a checkpoint. Throws Failure if there is none.
+template <Record R>
+R recordOf(const std::vector<R>& records, std::int64_t frame, const fs::path& directory) {
+  const auto found = std::ranges::find(records, frame, &R::frame);
+  if (found != records.end()) return *found;
+  refuseToContinue(fmt::format(
+      "{}: its checkpoint is of frame {}, which run.sqlite does not have (was the power lost?); "
+      "run it again",
+      directory.string(), frame));
+}
+
+/// How many templates place recognition can have at most after frame `last`: a call that failed,
+/// and is recorded as None, may have made one.
+std::int64_t mostTemplates(const std::vector<PlaceObservation>& recorded, std::int64_t last) {
+  std::int64_t given = 0;
+  std::int64_t none = 0;
+  for (const PlaceObservation& observation : recorded) {
+    if (observation.frame > last) continue;
+    given = std::max(given, observation.template_id + 1);
+    none += observation.recognition == Recognition::None ? 1 : 0;
+  }
+  return given + none;
+}
+
+/// Whether stamp, source index and truth are the same.
+bool isSameFrame(const Frame& a, const Frame& b) {
+  return a.stamp_ns == b.stamp_ns && a.source_index == b.source_index &&
+         a.has_truth == b.has_truth &&
+         (!a.has_truth || a.T_world_camera_truth.isApprox(b.T_world_camera_truth, kRounding));
+}
+
+/// Tracks the recorded frames again, without those that a realtime run dropped. Returns the motion
+/// of the last one.
+Motion repeatOdometry(Assembly& assembly, const std::vector<Motion>& motions,
+                      const std::vector<Frame>& frames, std::int64_t last_frame,
+                      const Cancellation& cancellation) {
+  constexpr const char* kRemedy = "resume with the data of the recorded run, or run it again";
+  Motion last;
+  std::size_t next = 0;
+  for (Frame frame; frame.frame < last_frame && !cancellation.requested();) {
+    const Status read = assembly.source().next(frame);
+    if (read.code() == StatusCode::EndOfStream) {
+      refuseToContinue(fmt::format("source: has fewer frames than were recorded ({}); {}",
+                                   last_frame + 1, kRemedy));
+    }
+    require(read, FailureKind::Dataset, "source");
+    while (next + 1 < motions.size() && motions[next].frame < frame.frame) ++next;
+    const Motion& before = motions[next];
+    if (before.frame != frame.frame) continue;
+    const auto recorded = std::ranges::lower_bound(frames, frame.frame, {}, &Frame::frame);
+    if (recorded == frames.end() || recorded->frame != frame.frame ||
+        !isSameFrame(frame, *recorded)) {
+      refuseToContinue(
+          fmt::format("source: stamp or true pose of frame {} is another than was recorded; {}",
+                      frame.frame, kRemedy));
+    }
+    (void)assembly.checkedOdometry().admit(frame);  // its note is in the record
+    last = Motion();
+    std::vector<std::string> in_record;
+    if (!assembly.checkedOdometry().track(frame, last, in_record).isOk()) {
+      last = before;  // the predicted motion
+    }
+    if (last.T_previous_current.isApprox(before.T_previous_current, kRounding)) continue;
+    refuseToContinue(fmt::format(
+        "odometry: gives another motion at frame {} than was recorded; data, plugin or parameters "
+        "have changed. Resume with those of the recorded run, or run it again",
+        frame.frame));
+  }
+  return last;
+}
+
+}  // namespace
+
+ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
+                     const Cancellation& cancellation) {
+  constexpr FailureKind kKind = FailureKind::Continuation;
+  const auto reader = require(record::RunReader::open(directory), kKind);
+  const auto sessions = require(reader->sessions(), kKind);
+  if (sessions.empty())
+    refuseToContinue(directory.string() + ": was ended before its first frame; run it again");
+  const std::int64_t first_frame = sessions.back().first_frame;
+  assembly.source().startAt(first_frame);
+  assembly.odometry().startAt(first_frame);
+
+  ResumePoint point;
+  point.checkpoint = loadCheckpoint(assembly, directory);
+  const std::int64_t last = point.checkpoint.frame;
+  const auto motions = require(reader->records<Motion>(), kKind);
+  (void)recordOf(motions, last, directory);  // throws if frames to be repeated are missing
+  point.decision = recordOf(require(reader->records<Decision>(), kKind), last, directory);
+  point.map = recordOf(require(reader->records<MapUpdate>(), kKind), last, directory);
+  MapGraph graph;
+  require(assembly.map().graph(graph), kKind);
+  const std::int64_t templates =
+      mostTemplates(require(reader->records<PlaceObservation>(), kKind), last);
+  assembly.place().resetChecks(-1, templates);
+  assembly.cells().resetChecks(static_cast<std::int64_t>(graph.experiences.size()), templates);
+  const auto frames = require(reader->records<Frame>(), kKind);
+  if (const auto scale = require(reader->lastScale(last + 1), kKind)) {
+    const bool is_earlier = scale->frame < first_frame;
+    point.scale = {scale->is_known,
+                   is_earlier ? assembly.system().config.general.continue_from : std::string()};
+  }
+  point.motion = repeatOdometry(assembly, motions, frames, last, cancellation);
+  return point;
 }
 
 }  // namespace tolman::engine

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "engine/assembly.hpp"
+#include "record/run_reader.hpp"
 
 namespace tolman::engine {
 
@@ -26,7 +27,7 @@ Status saveState(Assembly& assembly, const std::filesystem::path& directory,
                  const SessionProgress& progress, Status& stage_failure);
 
 /// Loads the state of the run in `directory` into a new assembly: the state at its end, else that
-/// of its last checkpoint. Throws Failed for a damaged file, and for another plugin, version or
+/// of its last checkpoint. Throws Failure for a damaged file, and for another plugin, version or
 /// parameter than in the earlier run.
 SessionProgress loadState(Assembly& assembly, const std::filesystem::path& directory);
 
@@ -37,10 +38,20 @@ Status saveCheckpoint(Assembly& assembly, const std::filesystem::path& directory
 
 /// Loads the checkpoint of the run in `directory` into a new assembly; `states` of the result is
 /// empty.
-/// Throws Failed, as loadState().
+/// Throws Failure, as loadState().
 Checkpoint loadCheckpoint(Assembly& assembly, const std::filesystem::path& directory);
 
 /// Removes the checkpoint of a finished run whose last state is saved.
 void removeCheckpoint(const std::filesystem::path& directory);
+
+// Resumes an interrupted or killed run in its own directory. Place recognition, cells and map are
+// loaded from the last checkpoint. Source and odometry, which save no state, process the frames up
+// to it again; their stamps, true poses and motions must be those of the record.
+
+/// Brings a new assembly to the state of the last checkpoint of the run in `directory`, which is
+/// only read. Throws Failure (Continuation) for no checkpoint, a damaged one, other plugins or
+/// other data. After a cancellation it returns early, and the assembly must not be used.
+ResumePoint resumeAt(Assembly& assembly, const std::filesystem::path& directory,
+                     const Cancellation& cancellation);
 
 }  // namespace tolman::engine

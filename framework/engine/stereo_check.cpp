@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/stereo_check.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 #include <numeric>
 #include <optional>
 #include <vector>
+
+#include "engine/camera_check.hpp"
 
 namespace tolman::engine {
 namespace {

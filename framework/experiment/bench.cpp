@@ -6,9 +6,10 @@
 
 #include <array>
 #include <atomic>
+#include <fstream>
+#include <string>
 
 #include "engine/drive.hpp"
-#include "host/process_state.hpp"
 #include "host/scratch_folder.hpp"
 
 namespace tolman::experiment {
@@ -16,6 +17,16 @@ namespace tolman::experiment {
 namespace {
 
 constexpr double kSecondsPerNs = 1e-9;
+
+/// The largest memory of this process since the last reset, MiB.
+double peakResidentMib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(line.find(':') + 1)) / 1024;  // kB
+  }
+  return 0;
+}
+void resetPeakResident() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 /// Collects the times of the stages, and cancels the run after `frames`. Frames that are still in
 /// flight then are finished and not counted.
@@ -49,7 +60,7 @@ class TimingListener : public engine::Listener, public Cancellation {
 
   BenchPass pass() const {
     BenchPass pass = pass_;
-    pass.peak_mib = conformance::peakResidentMib();
+    pass.peak_mib = peakResidentMib();
     for (std::size_t role = 0; role < durations_ns_.size(); ++role) {
       if (durations_ns_.at(role).empty()) continue;
       pass.stages[std::string(kRoleNames.at(role))] =
@@ -88,12 +99,12 @@ class ChainBench {
  private:
   void pass(engine::Scope scope, std::vector<BenchPass>& passes) {
     if (cancellation_.requested()) return;
-    conformance::resetPeakResident();
+    resetPeakResident();
     engine::Assembly assembly(engine::require(engine::checkSystem(system_, scope)), log_, clock_,
                               cancellation_);
     const host::ScratchFolder scratch("tolman-bench");
     if (scratch.path().empty()) {
-      throw engine::Failed({engine::FailureKind::Record, host::kNoScratchFolder});
+      throw engine::Failure({engine::FailureKind::Record, host::kNoScratchFolder});
     }
     assembly.openArtefacts(scratch.path());
     bench_.name = assembly.system().config.general.name;
@@ -102,7 +113,7 @@ class ChainBench {
     BenchPass measured = scope == engine::Scope::Source ? sourceAlone(assembly) : chain(assembly);
     options_.progress.end_pass();
     if (measured.frames == 0 && !cancellation_.requested()) {
-      throw engine::Failed({engine::FailureKind::Dataset, "source: gave no frame to measure"});
+      throw engine::Failure({engine::FailureKind::Dataset, "source: gave no frame to measure"});
     }
     if (!cancellation_.requested()) passes.push_back(std::move(measured));  // else: incomplete pass
   }
@@ -126,7 +137,7 @@ class ChainBench {
       ++pass.frames;
       options_.progress.frame();
     }
-    pass.peak_mib = conformance::peakResidentMib();
+    pass.peak_mib = peakResidentMib();
     pass.stages["source"] = evaluation::stageTiming(durations_ns);
     return pass;
   }
@@ -139,7 +150,7 @@ class ChainBench {
     engine::Chain stages(assembly.stages(), assembly.policies(), timing);
     const engine::DriveResult result =
         engine::drive(stages, settings, config.general.threads, timing);
-    if (result.failure) throw engine::Failed(assembly.failureOf(*result.failure));
+    if (result.failure) throw *result.failure;
     return timing.pass();
   }
 

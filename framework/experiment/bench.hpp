@@ -47,7 +47,7 @@ struct Bench {
   bool interrupted = false;             ///< the passes listed are complete
 };
 
-/// Each pass creates and configures its stages again. Throws engine::Failed.
+/// Each pass creates and configures its stages again. Throws engine::Failure.
 Bench runBench(const engine::SystemOptions& system, const BenchOptions& options,
                engine::RunLog& log, const Cancellation& cancellation);
 

@@ -224,7 +224,7 @@ class PlacesMeasurement {
                                       {"step", "1"},
                                       {"order", "\"forward\""}}) {
       if (isSourceAt(system, name, whole)) continue;
-      throw engine::Failed(
+      throw engine::Failure(
           {engine::FailureKind::Configuration,
            fmt::format("--pairs numbers all images of the recording, and source.{} "
                        "selects some; leave it at {}",
@@ -237,26 +237,27 @@ class PlacesMeasurement {
       if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
         return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
       }
-      throw engine::Failed({engine::FailureKind::Configuration,
-                            "nothing says which images show the same place: the source has no true "
-                            "poses; give --pairs or --second"});
+      throw engine::Failure(
+          {engine::FailureKind::Configuration,
+           "nothing says which images show the same place: the source has no true "
+           "poses; give --pairs or --second"});
     }
     PlaceTruth truth =
         engine::require(truthOfPairs(options_.pairs, options_.near), engine::FailureKind::Dataset);
     // With source.last and --frames the images may end before the pairs.
     const bool whole = options_.frames < 0 && isSourceAt(system, "last", "-1");
     if (whole && !cancellation_.requested() && truth.last_query >= pass.images()) {
-      throw engine::Failed(
+      throw engine::Failure(
           {engine::FailureKind::Dataset,
            fmt::format("{}: names image {}, and the recording has {} images, from 0; are these the "
                        "pairs of this recording?",
                        options_.pairs, truth.last_query, pass.images())});
     }
     if (countFindable(truth, pass) > 0) return truth;
-    throw engine::Failed({engine::FailureKind::Dataset,
-                          fmt::format("{}: has no pair of the {} images that were shown whose "
-                                      "images are more than {} apart (--near)",
-                                      options_.pairs, pass.images(), options_.near)});
+    throw engine::Failure({engine::FailureKind::Dataset,
+                           fmt::format("{}: has no pair of the {} images that were shown whose "
+                                       "images are more than {} apart (--near)",
+                                       options_.pairs, pass.images(), options_.near)});
   }
 
   static std::int64_t countFindable(const PlaceTruth& truth, const Pass& pass) {

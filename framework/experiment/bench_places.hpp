@@ -51,7 +51,7 @@ struct PlacesBench {
 };
 
 /// The configuration needs a source and a place recogniser. Two passes need a recogniser that saves
-/// its state: the second pass starts with the state of the first. Throws engine::Failed.
+/// its state: the second pass starts with the state of the first. Throws engine::Failure.
 PlacesBench runPlacesBench(const engine::SystemOptions& system, const PlacesOptions& options,
                            engine::RunLog& log, const Cancellation& cancellation);
 

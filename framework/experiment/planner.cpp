@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "config/loader.hpp"
-#include "engine/input_data.hpp"
+#include "engine/checked_system.hpp"
 #include "record/digest.hpp"
 
 namespace tolman::experiment {
@@ -176,14 +176,14 @@ class Planner {
       const std::tuple key(stage.plugin, stage.role, manifest.program.string());
       if (const auto found = plugins_.find(key); found != plugins_.end()) return &found->second;
       return &plugins_.emplace(key, openPlugin(manifest, stage.role, system)).first->second;
-    } catch (const engine::Failed& refused) {
+    } catch (const engine::Failure& refused) {
       problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", refused.what(),
                           config::Problem::Kind::Plugin});
       return nullptr;
     }
   }
 
-  /// Throws engine::Failed.
+  /// Throws engine::Failure.
   static Plugin openPlugin(const host::Manifest& manifest, Role role,
                            const config::SystemConfig& system) {
     Plugin plugin{engine::describeFrom(manifest, role, system), {}};
@@ -238,8 +238,9 @@ class Planner {
     run.name = point.name;
     run.factors = point.factors;
     run.inputs.host = host_;
-    addData(run, engine::inputPaths(system, values, schemas), front);
-    if (front == nullptr) plan_.missing.merge(engine::missingPaths(system, values, schemas));
+    engine::InputPaths inputs = engine::inputPaths(system, values, schemas);
+    addData(run, inputs.present, front);
+    if (front == nullptr) plan_.missing.merge(inputs.missing);
     setKey(run, system, values, front);
     return run;
   }

@@ -21,7 +21,7 @@ constexpr const char* kPlanAgain =
     "`tolman sweep`, which makes a new run of it";
 
 [[noreturn]] void refuse(FailureKind kind, const std::string& message) {
-  throw engine::Failed({kind, message});
+  throw engine::Failure({kind, message});
 }
 
 void requireUnchanged(const fs::path& folder, const PlannedRun& point) {
@@ -149,8 +149,8 @@ PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
     if (outcome.lostTracking()) {
       outcome.message = "odometry was not tracking at the end, or found no motion in the whole run";
     }
-  } catch (const engine::Failed& failed) {
-    outcome.exit_code = options.failure_code(failed.failure);
+  } catch (const engine::Failure& failed) {
+    outcome.exit_code = options.failure_code(failed);
     outcome.message = failed.what();
   }
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -8,8 +8,9 @@
 #include <tuple>
 #include <type_traits>
 
+#include "base/codec.hpp"
 #include "host/channel.hpp"
-#include "host/codec.hpp"
+#include "host/manifest.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::host {
@@ -102,6 +103,9 @@ struct LoadMessage {
   std::int64_t threads = 0;      ///< 0 for one per processor
 };
 
+template <class T>
+requires std::same_as<std::remove_const_t<T>, Refusal>
+auto parts(T& refusal) { return std::tie(refusal.id, refusal.message, refusal.remedy); }
 template <class T>
 requires std::same_as<std::remove_const_t<T>, ContextMessage>
 auto parts(T& m) { return std::tie(m.parameters, m.rig, m.seed, m.instance); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory shared by two processes. It can grow but not shrink (sealed by F_SEAL_SHRINK): otherwise
-// the writer could truncate it, and reading would crash the reader.
+// The connection between the host and the process of one plugin: a sequenced-packet socket for
+// short messages (a call, a reply, a log line), and one shared buffer in each direction for the
+// data of a call. When one process ends, receive() of the other returns Closed at once.
 #pragma once
 
 #include <array>
@@ -11,23 +12,25 @@
 #include <string>
 #include <utility>
 
-#include "host/child_process.hpp"
+#include "base/codec.hpp"
 
 namespace tolman::host {
 
-class SharedBuffer {
+/// Memory shared by two processes. It can grow but not shrink (sealed by F_SEAL_SHRINK): otherwise
+/// the writer could truncate it, and reading would crash the reader.
+class SharedBuffer : public ByteBuffer {
  public:
   /// Creates an empty buffer. Throws std::system_error.
   explicit SharedBuffer(const std::string& name);
   /// Takes ownership of an inherited descriptor.
   explicit SharedBuffer(int descriptor) : descriptor_(descriptor) {}
-  ~SharedBuffer();
+  ~SharedBuffer() override;
   SharedBuffer(const SharedBuffer&) = delete;
   SharedBuffer& operator=(const SharedBuffer&) = delete;
 
   int descriptor() const { return descriptor_; }
-  /// For the writer: at least `size` bytes; keeps what was written. May move the memory.
-  std::byte* reserve(std::size_t size);
+  /// For the writer.
+  std::byte* reserve(std::size_t size) override;
   /// For the reader: the first `size` bytes; throws std::runtime_error when there are fewer.
   const std::byte* view(std::size_t size);
 
@@ -38,19 +41,18 @@ class SharedBuffer {
   std::size_t mapped_ = 0;
 };
 
-// The connection between the host and the process of one plugin: a sequenced-packet socket for
-// short messages (a call, a reply, a log line), and one shared buffer in each direction for the
-// data of a call. When one process ends, receive() of the other returns Closed at once.
-
 /// Owns a file descriptor.
 class Descriptor {
  public:
   explicit Descriptor(int value = -1) : value_(value) {}
   ~Descriptor() { close(); }
   Descriptor(Descriptor&& other) noexcept : value_(other.release()) {}
-  Descriptor& operator=(Descriptor&& other) noexcept;
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(value_, other.value_);
+    return *this;
+  }
   int get() const { return value_; }
-  int release();
+  int release() { return std::exchange(value_, -1); }
   void close();
 
  private:
@@ -94,35 +96,5 @@ struct ControlBlock {
   std::atomic<std::uint32_t> cancelled;
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
-
-// Where a program that a plugin interprets (plugin: python) was when it did not return or died: its
-// interpreter writes its stack into shared memory when the host asks for it by a signal.
-
-/// Variable with the number of the descriptor, in the environment of the plugin's process. An
-/// interpreter that takes part writes any first line there, and from then on, at kStackSignal, a
-/// line `  File "PATH", line N in FUNCTION` for each call, the innermost first: what `faulthandler`
-/// of Python writes. It may write the same when a signal such as SIGSEGV ends the process.
-inline constexpr const char* kStackVariable = "TOLMAN_STACK_DESCRIPTOR";
-inline constexpr int kStackSignal = 12;  // SIGUSR2
-
-class StackReport {
- public:
-  /// Throws std::system_error.
-  StackReport() : memory_("tolman-stack") {}
-  /// To be passed to the process.
-  int descriptor() const { return memory_.descriptor(); }
-  /// Asks the process, and waits for half a second at most. "mine.py:12, in step": the innermost
-  /// call in the file `program` or in its folder; empty if the interpreter does not answer.
-  std::string ask(const ChildProcess& process, const std::string& program) const;
-  /// The same of the stack that the interpreter wrote when the process died.
-  std::string left(const std::string& program) const;
-
- private:
-  std::string text() const;
-  SharedBuffer memory_;
-};
-
-/// The same of the text of a stack. Exposed for its test.
-std::string placeInStack(const std::string& stack, const std::string& program);
 
 }  // namespace tolman::host

@@ -21,53 +21,34 @@ void check(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// Pointers to the texts and a null pointer, for exec(). They are valid as long as `texts`.
-std::vector<char*> pointersTo(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  pointers.reserve(texts.size() + 1);
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
+/// Starts a process by posix_spawn(), because the host has threads: stdin is empty, stdout and
+/// stderr go to `output`.
+pid_t spawn(std::vector<std::string> command, const std::vector<int>& passed, int output) {
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+  check(::posix_spawn_file_actions_init(&actions), "no process");
+  check(::posix_spawnattr_init(&attributes), "no process");
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", 0, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+  // dup2() of a descriptor to itself removes its close-on-exec flag.
+  for (const int fd : passed) ::posix_spawn_file_actions_adddup2(&actions, fd, fd);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  // Its own process group, so that Ctrl-C in the terminal reaches only the host.
+  ::posix_spawnattr_setpgroup(&attributes, 0);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  std::vector<char*> words;
+  for (std::string& word : command) words.push_back(word.data());
+  words.push_back(nullptr);
+  pid_t pid = -1;
+  const int error = ::posix_spawn(&pid, words[0], &actions, &attributes, words.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  check(error, "no further process can be started");
+  return pid;
 }
-
-/// Setup of a child process between fork and exec. It uses posix_spawn(), because the host has
-/// threads.
-class SpawnPlan {
- public:
-  SpawnPlan(const std::vector<int>& passed, int output) {
-    check(::posix_spawn_file_actions_init(&actions_), "no process");
-    check(::posix_spawnattr_init(&attributes_), "no process");
-    ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", 0, 0);
-    ::posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
-    // dup2() of a descriptor to itself removes its close-on-exec flag.
-    for (const int fd : passed) ::posix_spawn_file_actions_adddup2(&actions_, fd, fd);
-    sigset_t none;
-    ::sigemptyset(&none);
-    ::posix_spawnattr_setsigmask(&attributes_, &none);
-    // Its own process group, so that Ctrl-C in the terminal reaches only the host.
-    ::posix_spawnattr_setpgroup(&attributes_, 0);
-    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-  }
-  ~SpawnPlan() {
-    ::posix_spawnattr_destroy(&attributes_);
-    ::posix_spawn_file_actions_destroy(&actions_);
-  }
-  SpawnPlan(const SpawnPlan&) = delete;
-  SpawnPlan& operator=(const SpawnPlan&) = delete;
-
-  pid_t start(std::vector<std::string> command) const {
-    const std::vector<char*> words = pointersTo(command);
-    pid_t pid = -1;
-    check(::posix_spawn(&pid, words[0], &actions_, &attributes_, words.data(), environ),
-          "no further process can be started");
-    return pid;
-  }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-  posix_spawnattr_t attributes_{};
-};
 
 }  // namespace
 
@@ -94,7 +75,7 @@ std::string ProcessEnd::text() const {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed,
                            int output)
-    : pid_(SpawnPlan(passed, output).start(command)) {}
+    : pid_(spawn(command, passed, output)) {}
 
 ChildProcess::~ChildProcess() { (void)end(std::chrono::milliseconds(0)); }
 

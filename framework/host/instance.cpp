@@ -5,7 +5,6 @@
 #include <sstream>
 #include <utility>
 
-#include "host/frame_images.hpp"
 #include "host/values.hpp"
 
 namespace tolman::host {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One plugin object behind the guard.
+// Artefacts of one stage, in the host and in the process of an isolated stage.
 #pragma once
 
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/guard.hpp"
@@ -14,6 +16,20 @@
 #include "tolman/context.hpp"
 
 namespace tolman::host {
+
+/// Writing fails until the run directory exists. It is created after configure(), when all checks
+/// have passed.
+class StageArtefacts : public ArtefactWriter {
+ public:
+  std::unique_ptr<ArtefactWriter> folder;
+
+  Status write(std::string_view name, std::span<const std::byte> bytes) override {
+    if (folder) return folder->write(name, bytes);
+    return Status::failed("there is no run directory yet; write artefacts after configure()");
+  }
+};
+
+// One plugin object behind the guard.
 
 /// The refusal plugin/null-instance.
 Refusal nullInstance(const Manifest& manifest);

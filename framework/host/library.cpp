@@ -3,22 +3,126 @@
 
 #include <dlfcn.h>
 #include <link.h>
-#include <sys/statvfs.h>
 
 #include <algorithm>
 #include <array>
 #include <boost/dll/shared_library.hpp>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
-#include "host/gate.hpp"
+#include "config/settings.hpp"
 #include "host/guard.hpp"
 #include "tolman/plugin.hpp"
+#include "tolman/version.hpp"
 
 namespace tolman::host {
+
+namespace {
+
+std::string subject(const Manifest& manifest) {
+  return "plugin '" + manifest.id + "' (" + manifest.file.string() + ")";
+}
+
+std::string version(int major, int minor) {
+  return std::to_string(major) + "." + std::to_string(minor);
+}
+
+std::string fingerprintRemedy(const Manifest& manifest, const HostIdentity& host) {
+  const auto differs = [&](const std::string& word) {
+    return host.fingerprint.find(word) != std::string::npos &&
+           manifest.fingerprint.find(word) == std::string::npos;
+  };
+  if (differs(" align16")) {
+    return "rebuild the plugin without -march, -mavx or -mavx2 (Eigen's alignment follows them), "
+           "or rebuild Tolman with -DTOLMAN_MARCH_V3=ON";
+  }
+  if (differs("sanitizer-")) return "build plugin and host with the same -fsanitize options";
+  return "rebuild the plugin with the compiler, flags and Eigen that this Tolman was built with";
+}
+
+}  // namespace
+
+HostIdentity HostIdentity::ofThisBuild() {
+  return {TOLMAN_SDK_MAJOR, TOLMAN_SDK_MINOR, TOLMAN_FINGERPRINT, TOLMAN_HOST_OPENCV};
+}
+
+std::optional<Refusal> checkGate(const Manifest& manifest, const HostIdentity& host) {
+  const std::string built = " was built for SDK " +
+                            version(manifest.sdk_major, manifest.sdk_minor) +
+                            "; this host has SDK " + version(host.sdk_major, host.sdk_minor);
+  if (manifest.sdk_major != host.sdk_major) {
+    return Refusal{"plugin/sdk-major", subject(manifest) + built,
+                   "rebuild the plugin against this SDK; docs/stability.md lists what changed"};
+  }
+  const bool is_unreleased = host.sdk_major == 0;  // its minor versions may break
+  if (manifest.sdk_minor > host.sdk_minor ||
+      (is_unreleased && manifest.sdk_minor != host.sdk_minor)) {
+    return Refusal{"plugin/sdk-minor", subject(manifest) + built,
+                   "rebuild the plugin against this SDK, or use the Tolman that it was built for"};
+  }
+  if (manifest.fingerprint != host.fingerprint) {
+    return Refusal{"plugin/fingerprint",
+                   subject(manifest) + " has another build fingerprint:\n    plugin: " +
+                       manifest.fingerprint + "\n    host:   " + host.fingerprint,
+                   fingerprintRemedy(manifest, host)};
+  }
+  if (!manifest.opencv.empty() && manifest.opencv != host.opencv) {
+    return Refusal{"plugin/opencv",
+                   subject(manifest) + " uses OpenCV " + manifest.opencv +
+                       "; the plugins of this host use OpenCV " + host.opencv,
+                   "build the plugin against OpenCV " + host.opencv};
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+bool isWithin(const ParameterInfo& info) {
+  const auto fits = [&](double x) { return x >= info.min && x <= info.max; };
+  if (const auto* integer = std::get_if<std::int64_t>(&info.default_value)) {
+    return fits(static_cast<double>(*integer));
+  }
+  if (const auto* real = std::get_if<double>(&info.default_value)) return fits(*real);
+  if (const auto* list = std::get_if<std::vector<double>>(&info.default_value)) {
+    return std::ranges::all_of(*list, fits);
+  }
+  if (info.type != ParameterType::Choice) return true;
+  const auto* choice = std::get_if<std::string>(&info.default_value);
+  return choice != nullptr && std::ranges::find(info.choices, *choice) != info.choices.end();
+}
+
+}  // namespace
+
+std::optional<Refusal> checkSchema(const Manifest& manifest, const Schema& schema) {
+  Schema reserved = schemaOf<config::StageSettings>();  // keys that the host reads
+  if (!manifest.programs.empty())
+    std::ranges::copy(config::programSchema(), std::back_inserter(reserved));
+  std::set<std::string_view> seen;
+  for (const ParameterInfo& info : schema) {
+    const auto refuse = [&](const char* what, const char* remedy) {
+      const auto& file = manifest.program.empty() ? manifest.file : manifest.program;
+      return Refusal{
+          "plugin/bad-schema",
+          file.string() + ": parameter '" + info.name + "' of '" + manifest.id + "' " + what,
+          remedy};
+    };
+    if (!seen.insert(info.name).second)
+      return refuse("is declared twice", "remove one declaration");
+    if (std::ranges::find(reserved, info.name, &ParameterInfo::name) != reserved.end()) {
+      return refuse("has a name that is reserved for the host", "rename it");
+    }
+    if (!(info.min <= info.max)) return refuse("has an empty range", "swap the ends of .range()");
+    if (!info.required && !isWithin(info)) {
+      return refuse("has a default outside of its range", "correct the default or the range");
+    }
+  }
+  return std::nullopt;
+}
 
 namespace {
 
@@ -30,65 +134,41 @@ bool isOfSystem(const fs::path& file) {
                              [&](const char* folder) { return file.string().starts_with(folder); });
 }
 
-/// The dynamic section of an open library.
-class DynamicSection {
- public:
-  explicit DynamicSection(const link_map& library) : library_(library) {
-    for (const ElfW(Dyn)* entry = library.l_ld; entry->d_tag != DT_NULL; ++entry) {
-      if (entry->d_tag == DT_STRTAB) strings_ = pointerTo(entry->d_un.d_ptr);
-    }
+/// The names of the libraries that an open library is linked with.
+std::vector<std::string> neededBy(const link_map& library) {
+  const char* strings = nullptr;
+  std::vector<std::size_t> offsets;
+  for (const ElfW(Dyn)* entry = library.l_ld; entry->d_tag != DT_NULL; ++entry) {
+    if (entry->d_tag == DT_NEEDED) offsets.push_back(entry->d_un.d_val);
+    if (entry->d_tag != DT_STRTAB) continue;
+    // The loader of glibc replaces offsets by addresses where it may write.
+    const ElfW(Addr) value = entry->d_un.d_ptr;
+    strings = reinterpret_cast<const char*>(  // NOLINT: what the ELF format says
+        value < library.l_addr ? library.l_addr + value : value);
   }
-  /// The names of entries of this kind: DT_NEEDED or DT_SONAME.
-  std::vector<std::string> names(ElfW(Sxword) tag) const {
-    std::vector<std::string> found;
-    for (const ElfW(Dyn)* entry = library_.l_ld; entry->d_tag != DT_NULL; ++entry) {
-      if (entry->d_tag == tag && strings_ != nullptr) {
-        found.emplace_back(strings_ + entry->d_un.d_val);
-      }
-    }
-    return found;
-  }
-
- private:
-  /// The loader of glibc replaces offsets by addresses where it may write.
-  const char* pointerTo(ElfW(Addr) value) const {
-    const ElfW(Addr) address = value < library_.l_addr ? library_.l_addr + value : value;
-    return reinterpret_cast<const char*>(address);  // NOLINT: what the ELF format says
-  }
-
-  const link_map& library_;
-  const char* strings_ = nullptr;
-};
-
-/// All open libraries by the names by which others need them.
-std::map<std::string, const link_map*> openLibraries(const link_map* any) {
-  while (any->l_prev != nullptr) any = any->l_prev;
-  std::map<std::string, const link_map*> libraries;
-  for (; any != nullptr; any = any->l_next) {
-    if (any->l_name == nullptr || *any->l_name == '\0' || any->l_ld == nullptr) continue;
-    libraries.emplace(fs::path(any->l_name).filename().string(), any);
-    for (const std::string& name : DynamicSection(*any).names(DT_SONAME)) {
-      libraries.emplace(name, any);
-    }
-  }
-  return libraries;
+  std::vector<std::string> names;
+  for (const std::size_t offset : offsets) names.emplace_back(strings + offset);
+  return names;
 }
 
 }  // namespace
 
 std::vector<std::string> ownLibraries(const fs::path& library) {
   void* handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_NOLOAD);
-  if (handle == nullptr) return {};
   link_map* first = nullptr;
-  if (::dlinfo(handle, RTLD_DI_LINKMAP, &first) != 0 || first == nullptr) return {};
-  const auto open = openLibraries(first);
+  if (handle == nullptr || ::dlinfo(handle, RTLD_DI_LINKMAP, &first) != 0) return {};
+  std::map<std::string, const link_map*> open;  // by file name
+  const link_map* any = first;
+  while (any->l_prev != nullptr) any = any->l_prev;
+  for (; any != nullptr; any = any->l_next) {
+    if (any->l_ld != nullptr) open.emplace(fs::path(any->l_name).filename().string(), any);
+  }
   std::set<std::string> files;
-  std::vector<const link_map*> unread = {first};
-  while (!unread.empty()) {
-    const DynamicSection section(*unread.back());
+  for (std::vector<const link_map*> unread = {first}; !unread.empty();) {
+    const std::vector<std::string> needed = neededBy(*unread.back());
     unread.pop_back();
-    for (const std::string& needed : section.names(DT_NEEDED)) {
-      const auto found = open.find(fs::path(needed).filename().string());
+    for (const std::string& name : needed) {
+      const auto found = open.find(fs::path(name).filename().string());
       if (found == open.end()) continue;
       std::error_code ignored;
       const fs::path file = fs::weakly_canonical(found->second->l_name, ignored);
@@ -103,22 +183,14 @@ namespace {
 
 using Entry = const PluginDescriptor*();
 
-/// Whether the file system of the file was mounted so that its code cannot be executed.
-bool isNoExec(const std::string& file) {
-  struct statvfs system {};
-  return ::statvfs(file.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC) != 0;
-}
-
-/// The remedy for a message of the dynamic linker about `file`.
-std::string remedyFor(const std::string& message, const std::string& file) {
-  const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
-  if (says("failed to map") && isNoExec(file)) {
-    return "its file system is mounted with the option noexec, which forbids to execute code from "
-           "it: copy the plugin to another folder, or mount it with exec";
+/// The remedy for a message of the dynamic linker.
+std::string remedyFor(std::string_view message) {
+  const auto says = [&](const char* part) { return message.find(part) != std::string_view::npos; };
+  if (says("failed to map")) {
+    return "the file system may forbid to execute code (mount option noexec): copy the plugin to "
+           "another folder; or memory is short, see `ulimit -a`";
   }
-  if (says("annot allocate") || says("Too many open files") || says("failed to map")) {
-    return kLimitsTooLow;
-  }
+  if (says("annot allocate") || says("Too many open files")) return kLimitsTooLow;
   if (says("undefined symbol")) {
     return "link the plugin with -Wl,-z,defs (tolman_add_plugin() does) to find missing symbols at "
            "build time";
@@ -137,7 +209,7 @@ OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
     }
     throw std::runtime_error("it cannot be kept in memory");
   } catch (const std::exception& error) {
-    return Refusal{"plugin/load-failed", file + ": " + error.what(), remedyFor(error.what(), file)};
+    return Refusal{"plugin/load-failed", file + ": " + error.what(), remedyFor(error.what())};
   }
 }
 

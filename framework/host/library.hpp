@@ -1,23 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shared libraries that a plugin brings along.
+// The gate decides from the manifest alone whether this host may open a plugin. Libraries that pass
+// it are opened, and kept until the process ends.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "host/gate.hpp"
 #include "host/manifest.hpp"
+#include "tolman/parameters.hpp"
 #include "tolman/plugin.hpp"
 
 namespace tolman::host {
+
+/// SDK version and build of a host.
+struct HostIdentity {
+  int sdk_major;
+  int sdk_minor;
+  std::string fingerprint;
+  std::string opencv;
+
+  static HostIdentity ofThisBuild();
+};
+
+/// Refusals, in the order of the checks: plugin/sdk-major, plugin/sdk-minor, plugin/fingerprint,
+/// plugin/opencv.
+std::optional<Refusal> checkGate(const Manifest& manifest, const HostIdentity& host);
+
+/// Refuses (plugin/bad-schema) names that are declared twice or are the host's, ranges without a
+/// value, and defaults that are outside of their range or choices.
+std::optional<Refusal> checkSchema(const Manifest& manifest, const Schema& schema);
 
 /// Files of the libraries that `library`, which must be open in this process, is linked with,
 /// directly or by one of them, sorted. Those in the folders of the system are left out, because
 /// packages own them. Libraries that a plugin opens itself by dlopen() are not known.
 std::vector<std::string> ownLibraries(const std::filesystem::path& library);
-
-// Opens plugin libraries that passed the gate, and keeps them until the process ends.
 
 /// The remedy of a refusal for lack of memory or of open files.
 inline constexpr const char* kLimitsTooLow =

@@ -4,6 +4,7 @@
 #include <elf.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <fstream>
@@ -20,10 +21,7 @@ namespace tolman::host {
 
 namespace {
 
-constexpr std::uint64_t kLargestSection = 1U
-                                          << 20U;  // bytes; a manifest has about 1 KiB per plugin
-
-/// A file whose reads are checked against its size.
+/// The bytes of a file, cut to the parts that are read: every offset is checked against its size.
 class BoundedFile {
  public:
   explicit BoundedFile(const std::filesystem::path& file) {
@@ -32,11 +30,11 @@ class BoundedFile {
     stream_.open(file, std::ios::binary);
     size_ = std::filesystem::file_size(file, error);
   }
-
   bool readable() const { return stream_.is_open(); }
 
   std::optional<std::string> read(std::uint64_t offset, std::uint64_t length) {
-    if (offset > size_ || length > size_ - offset) return std::nullopt;
+    constexpr std::uint64_t kLongest = 1U << 20U;  // bytes; a manifest has about 1 KiB per plugin
+    if (length > kLongest || offset > size_ || length > size_ - offset) return std::nullopt;
     std::string bytes(length, '\0');
     stream_.clear();
     stream_.seekg(static_cast<std::streamoff>(offset));
@@ -59,56 +57,51 @@ class BoundedFile {
   std::uint64_t size_ = 0;
 };
 
-Refusal truncated(const std::filesystem::path& file) {
-  return {"plugin/truncated", file.string() + " is shorter than its section table requires",
-          "the file is damaged: build or copy it again"};
-}
-
-std::optional<Refusal> checkHeader(const Elf64_Ehdr& header, const std::filesystem::path& file) {
-  const bool machine = header.e_ident[EI_CLASS] == ELFCLASS64 &&
-                       header.e_ident[EI_DATA] == ELFDATA2LSB && header.e_machine == EM_X86_64;
-  if (machine && header.e_type == ET_DYN) return std::nullopt;
-  return Refusal{"plugin/wrong-machine", file.string() + " is not an x86-64 shared library",
-                 "build it for this machine, as a shared library, with tolman_add_plugin()"};
+bool isForThisMachine(const Elf64_Ehdr& header) {
+  return header.e_ident[EI_CLASS] == ELFCLASS64 && header.e_ident[EI_DATA] == ELFDATA2LSB &&
+         header.e_machine == EM_X86_64 && header.e_type == ET_DYN;
 }
 
 }  // namespace
 
 OrRefusal<std::string> readElfSection(const std::filesystem::path& file, std::string_view name) {
   BoundedFile elf(file);
+  const std::string path = file.string();
+  const Refusal truncated{"plugin/truncated", path + " is shorter than its section table requires",
+                          "the file is damaged: build or copy it again"};
   if (!elf.readable()) {
-    return Refusal{"plugin/unreadable", file.string() + " cannot be read",
+    return Refusal{"plugin/unreadable", path + " cannot be read",
                    file_opening::areDescriptorsShort(1)
                        ? "allow more open files (`ulimit -n`)"
                        : "check that the file exists, and its permissions"};
   }
   const auto magic = elf.read(0, SELFMAG);
   if (!magic || *magic != std::string_view(ELFMAG, SELFMAG)) {
-    return Refusal{"plugin/not-elf", file.string() + " is not an ELF file",
+    return Refusal{"plugin/not-elf", path + " is not an ELF file",
                    "name a shared library that was built with tolman_add_plugin()"};
   }
   const auto header = elf.object<Elf64_Ehdr>(0);
-  if (!header) return truncated(file);
-  if (const auto refusal = checkHeader(*header, file)) return *refusal;
-
+  if (!header) return truncated;
+  if (!isForThisMachine(*header)) {
+    return Refusal{"plugin/wrong-machine", path + " is not an x86-64 shared library",
+                   "build it for this machine, as a shared library, with tolman_add_plugin()"};
+  }
   const auto sectionAt = [&](std::uint64_t i) {
     return elf.object<Elf64_Shdr>(header->e_shoff + i * sizeof(Elf64_Shdr));
   };
   const auto names_section = sectionAt(header->e_shstrndx);
-  if (!names_section || names_section->sh_size > kLargestSection) return truncated(file);
+  if (!names_section) return truncated;
   const auto names = elf.read(names_section->sh_offset, names_section->sh_size);
-  if (!names) return truncated(file);
+  if (!names) return truncated;
   for (std::uint64_t i = 0; i < header->e_shnum; ++i) {
     const auto section = sectionAt(i);
-    if (!section) return truncated(file);
+    if (!section) return truncated;
     if (section->sh_name >= names->size()) continue;
     if (std::string_view(names->c_str() + section->sh_name) != name) continue;
-    if (section->sh_size > kLargestSection) return truncated(file);
     const auto bytes = elf.read(section->sh_offset, section->sh_size);
-    if (!bytes) return truncated(file);
-    return *bytes;
+    return bytes ? OrRefusal<std::string>(*bytes) : OrRefusal<std::string>(truncated);
   }
-  return Refusal{"plugin/no-manifest", file.string() + " has no section " + std::string(name),
+  return Refusal{"plugin/no-manifest", path + " has no section " + std::string(name),
                  "register the class with TOLMAN_PLUGIN in plugin.cpp, and do not strip sections"};
 }
 
@@ -124,35 +117,29 @@ T number(std::string_view text, const char* what, int base) {
   return value;
 }
 
-/// The text without control characters, which a terminal would execute.
-std::string printable(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
-  return text;
-}
-
-Role roleNamed(const std::string& name) {
-  if (const auto role = config::valueNamed<Role>(name)) return *role;
-  throw std::runtime_error("'" + name + "' is not a role");
-}
-
-void checkIdentifier(const std::string& id) {
-  const bool plain = !id.empty() && id.find_first_not_of(
-                                        "abcdefghijklmnopqrstuvwxyz"
-                                        "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                        "0123456789_") == std::string::npos;
-  if (!plain) throw std::runtime_error("'" + id + "' is not an identifier");
+bool isIdentifier(const std::string& id) {
+  return !id.empty() && std::ranges::all_of(id, [](unsigned char c) {
+    return c == '_' || (c < 128 && std::isalnum(c) != 0);
+  });
 }
 
 Manifest fromJson(const nlohmann::json& json, const std::filesystem::path& file) {
-  const auto text = [&](const char* key) { return printable(json.at(key).get<std::string>()); };
+  const auto text = [&](const char* key) {
+    return config::printable(json.at(key).get<std::string>(), "?");
+  };
   Manifest manifest;
   manifest.file = file;
   manifest.id = text("id");
-  checkIdentifier(manifest.id);
-  manifest.programs = printable(json.value("programs", ""));
+  if (!isIdentifier(manifest.id)) {
+    throw std::runtime_error("'" + manifest.id + "' is not an identifier");
+  }
+  manifest.programs = config::printable(json.value("programs", ""), "?");
   const bool is_plugin = manifest.programs.empty();
-  if (is_plugin) manifest.role = roleNamed(text("role"));
+  if (is_plugin) {
+    const auto role = config::valueNamed<Role>(text("role"));
+    if (!role) throw std::runtime_error("'" + text("role") + "' is not a role");
+    manifest.role = *role;
+  }
   manifest.version = text("version");
   const std::string sdk = text("sdk");
   const auto dot = sdk.find('.');

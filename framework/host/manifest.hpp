@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads one section of an ELF file without executing anything. All offsets and sizes are checked,
-// so damaged files are refused.
+// The manifest of a plugin, read from its library without executing anything. All offsets and sizes
+// are checked, so damaged files are refused.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +8,32 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "host/refusal.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::host {
 
+/// Id of a refusal for want of processes or threads, which says nothing about the plugin.
+inline constexpr const char* kNoProcess = "plugin/no-process";
+
+/// Why a plugin was not opened. The ids are listed with their remedies in docs/errors.md.
+struct Refusal {
+  std::string id;       ///< e.g. "plugin/fingerprint"
+  std::string message;  ///< what was expected, where, and what was found
+  std::string remedy;   ///< what to do
+
+  std::string text() const { return "[" + id + "] " + message + "\n  remedy: " + remedy; }
+};
+
+/// A value or a refusal.
+template <class T>
+using OrRefusal = std::variant<T, Refusal>;
+
 /// The bytes of section `name` of a 64-bit little-endian x86-64 shared object. Refusals:
 /// plugin/unreadable, plugin/not-elf, plugin/truncated, plugin/wrong-machine, plugin/no-manifest.
 OrRefusal<std::string> readElfSection(const std::filesystem::path& file, std::string_view name);
-
-// The manifest of a plugin, read from its library without executing anything.
 
 struct Manifest {
   std::filesystem::path file;

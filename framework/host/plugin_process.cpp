@@ -16,12 +16,10 @@
 #include <system_error>
 #include <thread>
 
-#include "host/calls.hpp"
 #include "host/channel.hpp"
 #include "host/child_process.hpp"
 #include "host/instance.hpp"
 #include "host/library.hpp"
-#include "host/stage_artefacts.hpp"
 
 namespace tolman::host {
 
@@ -50,7 +48,7 @@ void addExtras(Handlers& handlers, const PluginObject& object) {
   if (object.state == nullptr) return;
   handlers[Call::Save] = handler(std::function([state = object.state](std::string& bytes) {
     std::ostringstream stream;
-    Status status = host::saveTo(stream, *state);
+    Status status = saveTo(stream, *state);
     bytes = std::move(stream).str();
     return status;
   }));
@@ -175,11 +173,11 @@ void endWithHost(int socket) {
   }).detach();
 }
 
-host::OrRefusal<host::LoadedPlugin> open(const LoadMessage& message) {
-  auto manifest = host::readManifest(message.file, message.id);
-  if (auto* refusal = std::get_if<host::Refusal>(&manifest)) return *refusal;
-  std::get<host::Manifest>(manifest).program = message.program;
-  return host::loadPlugin(std::get<host::Manifest>(manifest), host::HostIdentity::ofThisBuild());
+OrRefusal<LoadedPlugin> open(const LoadMessage& message) {
+  auto manifest = readManifest(message.file, message.id);
+  if (auto* refusal = std::get_if<Refusal>(&manifest)) return std::move(*refusal);
+  std::get<Manifest>(manifest).program = message.program;
+  return loadPlugin(std::get<Manifest>(manifest), HostIdentity::ofThisBuild());
 }
 
 class PluginProcess {
@@ -197,7 +195,6 @@ class PluginProcess {
       ::fcntl(descriptor, F_SETFD,
               FD_CLOEXEC);  // not inherited by processes that the plugin starts
     }
-    ::setenv(kStackVariable, std::to_string(descriptors.at(4)).c_str(), 1);
     endWithHost(socket_.descriptor());
     addOwnCalls();
   }
@@ -233,7 +230,7 @@ class PluginProcess {
     handlers_[Call::Destroy] = handler(*this, &PluginProcess::destroy);
   }
 
-  Status load(const LoadMessage& message, host::Refusal& refusal, Role& role, std::string& version,
+  Status load(const LoadMessage& message, Refusal& refusal, Role& role, std::string& version,
               std::string& summary, std::vector<std::string>& files, Schema& schema) {
     limitResources(message.memory_mib);
     if (message.threads > 0) {
@@ -241,11 +238,11 @@ class PluginProcess {
                        static_cast<std::size_t>(message.threads));
     }
     auto loaded = open(message);
-    if (auto* reason = std::get_if<host::Refusal>(&loaded)) {
+    if (auto* reason = std::get_if<Refusal>(&loaded)) {
       refusal = std::move(*reason);
       return Status::ok();
     }
-    plugin_ = std::move(std::get<host::LoadedPlugin>(loaded));
+    plugin_ = std::move(std::get<LoadedPlugin>(loaded));
     role = plugin_->manifest.role;
     version = plugin_->manifest.version;
     summary = plugin_->manifest.summary;
@@ -254,10 +251,10 @@ class PluginProcess {
     return Status::ok();
   }
 
-  Status create(host::Refusal& refusal, bool& arrays, bool& state) {
+  Status create(Refusal& refusal, bool& arrays, bool& state) {
     object_ = plugin_->descriptor->create();
     if (object_.plugin == nullptr) {
-      refusal = host::nullInstance(plugin_->manifest);
+      refusal = nullInstance(plugin_->manifest);
       return Status::ok();
     }
     arrays = object_.arrays != nullptr;
@@ -291,34 +288,27 @@ class PluginProcess {
   const ProcessServices& services_;
   RemoteLogger log_;
   RemoteFindings findings_;
-  host::StageArtefacts artefacts_;
+  StageArtefacts artefacts_;
   RemoteCancellation cancellation_;
   std::optional<tbb::global_control> threads_;
   ContextMessage context_;
-  std::optional<host::LoadedPlugin> plugin_;
+  std::optional<LoadedPlugin> plugin_;
   PluginObject object_;
   Handlers handlers_;
 };
 
-/// Exit code for the current exception; call it in a catch block.
-int exitCodeOfException() noexcept {
-  try {
-    throw;
-  } catch (const std::bad_alloc&) {
-    return kNoMemoryExit;
-  } catch (const std::system_error& error) {
-    if (error.code() == std::errc::resource_unavailable_try_again) return kNoThreadsExit;
-    return error.code() == std::errc::not_enough_memory ? kNoMemoryExit : 70;
-  } catch (...) {
-    return 70;
-  }
-}
-
-/// An exception cannot leave a static constructor of a library, but ends the process. Where memory
-/// or threads are lacking, the host learns that by the exit code instead of blaming the library.
+/// Ends the process after an exception, which cannot leave a static constructor of a library. Where
+/// memory or threads are lacking, the exit code says so, instead of blaming the library.
 [[noreturn]] void endByException() noexcept {
-  const int code = std::current_exception() ? exitCodeOfException() : 70;
-  if (code != 70) ::_exit(code);
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    ::_exit(kNoMemoryExit);
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) ::_exit(kNoThreadsExit);
+    if (error.code() == std::errc::not_enough_memory) ::_exit(kNoMemoryExit);
+  } catch (...) {  // of the library
+  }
   std::abort();
 }
 
@@ -329,7 +319,7 @@ void runPluginProcess(const std::vector<int>& descriptors, const ProcessServices
   try {
     PluginProcess(descriptors, services).run();
   } catch (...) {  // the host detects that this process ended
-    ::_exit(exitCodeOfException());
+    endByException();
   }
   ::_exit(0);
 }

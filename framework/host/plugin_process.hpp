@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "host/calls.hpp"
-#include "host/codec.hpp"
 #include "host/guard.hpp"
 #include "tolman/context.hpp"
 #include "tolman/plugin.hpp"
@@ -41,7 +40,7 @@ Handler handler(std::function<Status(P...)> work) {
     };
     std::apply([&](auto&... value) { (decode(value, std::bool_constant<kIsResult<P>>()), ...); },
                values);
-    const Status status = host::contained([&] { return std::apply(work, values); });
+    const Status status = contained([&] { return std::apply(work, values); });
     out.put(status);
     if (!status.isOk()) return;
     const auto encode = [&](const auto& value, auto result) {
@@ -65,9 +64,6 @@ Handler handler(Object& object, Status (Class::*method)(P...) const) {
       [&object, method](auto&&... values) -> Status { return (object.*method)(values...); }));
 }
 
-// Main function of the process of an isolated plugin: loads the plugin and executes calls until the
-// host closes the connection or ends.
-
 /// Exit code of a process that has too little memory to answer.
 inline constexpr int kNoMemoryExit = 71;
 /// Exit code of a process that cannot start the threads it needs.
@@ -82,7 +78,7 @@ struct ProcessServices {
       artefacts;
 };
 
-/// `descriptors` are the five that ProcessHandle appends to its command. Ends the process without
+/// `descriptors` are the four that ProcessHandle appends to its command. Ends the process without
 /// returning, so that no static destructor of the plugin runs.
 [[noreturn]] void runPluginProcess(const std::vector<int>& descriptors,
                                    const ProcessServices& services);

@@ -5,16 +5,140 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <new>
 #include <utility>
 
+#include "host/calls.hpp"
 #include "host/library.hpp"
 #include "host/plugin_process.hpp"
 
 namespace tolman::host {
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr milliseconds kPollInterval{20};  // for cancellation and deadline
+constexpr std::uint64_t kMaxReplyMib = 1U << 16U;
+constexpr milliseconds kExitTimeout{500};  // for a process that has closed its socket
+/// Sent at the deadline, before the process is killed: an interpreter can write where it was.
+constexpr int kDeadlineSignal = SIGUSR2;
+
+}  // namespace
+
+ProcessHandle::ProcessHandle(LaunchOptions launch)
+    : launch_(std::move(launch)),
+      request_("tolman-request"),
+      response_("tolman-response"),
+      control_memory_("tolman-control"),
+      control_(new (control_memory_.reserve(sizeof(ControlBlock))) ControlBlock{}),
+      socket_(Descriptor()) {
+  auto [ours, theirs] = Socket::pair();
+  const std::vector<int> passed = {theirs.descriptor(), request_.descriptor(),
+                                   response_.descriptor(), control_memory_.descriptor()};
+  std::vector<std::string> command = launch_.command;
+  for (const int descriptor : passed) command.push_back(std::to_string(descriptor));
+  process_ = std::make_unique<ChildProcess>(command, passed);
+  socket_ = std::move(ours);
+}
+
+void ProcessHandle::connect(Logger* log, FindingCollector* findings,
+                            const Cancellation* cancellation) {
+  log_ = log;
+  findings_ = findings;
+  cancellation_ = cancellation;
+}
+
+Status ProcessHandle::call(Call call, const Write& write, const Read& read) {
+  Encoder encoder(request_);
+  write(encoder);
+  SocketMessage message{{static_cast<std::uint32_t>(call), ++call_number_, encoder.size()}, {}};
+  if (record_requests_) {  // before the call, because the process could overwrite shared memory
+    recorded_request_.assign(reinterpret_cast<const char*>(request_.view(encoder.size())),
+                             encoder.size());
+  }
+  if (!socket_.send(message)) return readExit();
+  const auto begin = steady_clock::now();
+  for (;;) {
+    const ReceiveResult received = waitForMessage(message, begin);
+    if (received == ReceiveResult::Closed) return readExit();
+    if (received == ReceiveResult::Timeout) {
+      process_->signal(kDeadlineSignal);
+      (void)process_->end(kExitTimeout);
+      return end(fmt::format("did not return within {:g} s and was killed", launch_.deadline_s));
+    }
+    if (message.kind == static_cast<std::uint32_t>(ReplyKind::Reply)) {
+      if (message.detail == call_number_) return readReply(message, read);
+      continue;  // from a copy of the process that the plugin made by fork()
+    }
+    if (message.kind == static_cast<std::uint32_t>(ReplyKind::Finding)) {
+      const auto finding = findingOf(message.text);
+      if (findings_ != nullptr && finding) findings_->add(*finding);
+      continue;
+    }
+    if (log_ != nullptr && message.detail <= static_cast<std::uint32_t>(LogLevel::Error)) {
+      log_->write(static_cast<LogLevel>(message.detail), message.text);
+    }
+  }
+}
+
+/// Returns Timeout if the deadline of the call has passed.
+ReceiveResult ProcessHandle::waitForMessage(SocketMessage& message,
+                                            steady_clock::time_point begin) {
+  for (;;) {
+    const std::chrono::duration<double> waited = steady_clock::now() - begin;
+    if (launch_.deadline_s > 0 && waited.count() > launch_.deadline_s) {
+      return ReceiveResult::Timeout;
+    }
+    const bool cancelled = cancellation_ != nullptr && cancellation_->requested();
+    control_->cancelled.store(cancelled ? 1 : 0, std::memory_order_relaxed);
+    // Processes that the plugin started may keep the socket open, so test the process as well. Test
+    // it before the socket, which may still contain its last messages.
+    const bool ended = process_->hasEnded();
+    const ReceiveResult received =
+        socket_.receive(message, ended ? milliseconds(0) : kPollInterval);
+    if (received != ReceiveResult::Timeout) return received;
+    if (ended) return ReceiveResult::Closed;
+  }
+}
+
+Status ProcessHandle::readReply(const SocketMessage& reply, const Read& read) {
+  try {
+    const std::uint64_t limit_mib = launch_.memory_mib > 0 ? launch_.memory_mib : kMaxReplyMib;
+    if (reply.size > limit_mib << 20U) {
+      throw std::domain_error("it is larger than isolation.memory_limit");
+    }
+    Decoder decoder(response_.view(reply.size), reply.size);
+    Status status = decoder.next<Status>();
+    if (status.isOk()) read(decoder);
+    if (decoder.remaining() > 0) throw std::domain_error("bytes follow its end");
+    const bool out_of_memory = status.message().find("std::bad_alloc") != std::string::npos;
+    if (!out_of_memory || launch_.memory_mib == 0) return status;
+    return {status.code(), status.message() + fmt::format("; isolation.memory_limit is {} MiB",
+                                                          launch_.memory_mib)};
+  } catch (const std::exception& error) {
+    return end(std::string("sent a malformed reply and was killed: ") + error.what());
+  }
+}
+
+Status ProcessHandle::readExit() {
+  const ProcessEnd ended = process_->end(kExitTimeout);
+  if (ended.signal == 0) exit_code_ = ended.exit_code;
+  return end(ended.text());
+}
+
+Status ProcessHandle::end(const std::string& reason) {
+  exit_reason_ = reason;
+  (void)process_->end(milliseconds(0));
+  return Status::failed("its process " + reason);
+}
+
 namespace {
 
 constexpr int kMaxRestarts = 10;
-constexpr std::size_t kCheckpointEvery = 20;  // calls; a call with images takes about 1 MB
+constexpr int kCheckpointEvery = 20;  // calls; a call with images takes about 1 MB
 
 const auto kNoData = [](auto&) {};
 
@@ -44,26 +168,26 @@ std::string hintAt(const LaunchOptions& limits) {
 }
 
 /// The file that the user wrote: the program, or the library.
-std::string openedFile(const host::Manifest& manifest) {
+std::string openedFile(const Manifest& manifest) {
   return (manifest.program.empty() ? manifest.file : manifest.program).string();
 }
 
-host::Refusal noProcess(const std::string& plugin, const std::string& why) {
-  return {host::kNoProcess, "no process for plugin '" + plugin + "': " + why,
+Refusal noProcess(const std::string& plugin, const std::string& why) {
+  return {kNoProcess, "no process for plugin '" + plugin + "': " + why,
           "this is no defect of the plugin: raise the limits of processes, threads and open files "
           "(`ulimit -u`, `ulimit -n`), or end other programs"};
 }
 
 }  // namespace
 
-host::OrRefusal<std::shared_ptr<RemotePlugin>> RemotePlugin::start(const host::Manifest& manifest,
-                                                                   const LaunchOptions& launch) {
+OrRefusal<std::shared_ptr<RemotePlugin>> RemotePlugin::start(const Manifest& manifest,
+                                                             const LaunchOptions& launch) {
   std::shared_ptr<RemotePlugin> remote(new RemotePlugin(manifest, launch));
   if (auto refusal = remote->load()) return *refusal;
   return remote;
 }
 
-std::optional<host::Refusal> RemotePlugin::load() {
+std::optional<Refusal> RemotePlugin::load() {
   try {
     process_ = std::make_unique<ProcessHandle>(launch_);
   } catch (const std::exception& error) {
@@ -71,22 +195,22 @@ std::optional<host::Refusal> RemotePlugin::load() {
   }
   const LoadMessage message{manifest_.file.string(), manifest_.id, manifest_.program.string(),
                             launch_.memory_mib, launch_.threads};
-  host::Refusal refusal;  // an empty id means success
+  Refusal refusal;  // an empty id means success
   const Status status = process_->call(
       Call::Load, [&](Encoder& encoder) { encoder.put(message); },
       [&](Decoder& decoder) {
         decoder.getAll(refusal, manifest_.role, manifest_.version, manifest_.summary,
                        manifest_.program_files, schema_);
         if (enumName(manifest_.role) == "invalid")
-          throw MalformedMessage("a role that does not exist");
+          throw std::domain_error("a role that does not exist");
       });
   const std::optional<int> exit_code = process_->exitCode();
   const std::string kind = manifest_.program.empty() ? "the library" : "the program";
   if (exit_code == kNoThreadsExit) return noProcess(manifest_.id, "its threads cannot be started");
   if (exit_code == kNoMemoryExit) {
-    return host::Refusal{"plugin/load-failed",
-                         openedFile(manifest_) + ": out of memory while " + kind + " was opened",
-                         host::kLimitsTooLow + hintAt(launch_)};
+    return Refusal{"plugin/load-failed",
+                   openedFile(manifest_) + ": out of memory while " + kind + " was opened",
+                   kLimitsTooLow + hintAt(launch_)};
   }
   if (!status.isOk()) return diedWhenOpened(status.message());
   if (!refusal.id.empty()) {
@@ -97,7 +221,7 @@ std::optional<host::Refusal> RemotePlugin::load() {
 }
 
 /// Of a program its own file is to blame, not the library that interprets it.
-host::Refusal RemotePlugin::diedWhenOpened(const std::string& why) const {
+Refusal RemotePlugin::diedWhenOpened(const std::string& why) const {
   if (!manifest_.program.empty()) {
     return {"plugin/program", openedFile(manifest_) + ": while it was imported: " + why,
             "what stands outside of functions runs at import: move long or dangerous work to "
@@ -110,16 +234,16 @@ host::Refusal RemotePlugin::diedWhenOpened(const std::string& why) const {
               hintAt(launch_)};
 }
 
-std::optional<host::Refusal> RemotePlugin::create() {
+std::optional<Refusal> RemotePlugin::create() {
   if (created_) return std::nullopt;
-  host::Refusal refusal;
+  Refusal refusal;
   const Status status = process_->call(Call::Create, kNoData, [&](Decoder& decoder) {
     decoder.getAll(refusal, has_arrays_, has_state_);
   });
   if (!status.isOk()) {
-    return host::Refusal{"plugin/create-failed",
-                         "plugin '" + manifest_.id + "', construct: " + status.message(),
-                         "a constructor must be cheap: move work to configure()"};
+    return Refusal{"plugin/create-failed",
+                   "plugin '" + manifest_.id + "', construct: " + status.message(),
+                   "a constructor must be cheap: move work to configure()"};
   }
   if (!refusal.id.empty()) return refusal;
   created_ = true;
@@ -165,56 +289,46 @@ Status RemotePlugin::exchange(Call call, const ProcessHandle::Write& write,
 
 void RemotePlugin::record(Call call) {
   if (!restart_enabled_) return;
-  if (isInitial(call)) {
-    initial_calls_.push_back({call, process_->lastRequest()});
-  } else if (call == Call::Reset) {
-    calls_since_checkpoint_.clear();
-    checkpoint_.clear();
-  } else if (changesState(call) && has_state_) {
-    calls_since_checkpoint_.push_back({call, process_->lastRequest()});
-    if (calls_since_checkpoint_.size() >= kCheckpointEvery) checkpoint();
+  const auto forget = [this] {
+    std::erase_if(history_, [](const RecordedCall& one) { return !isInitial(one.call); });
+  };
+  if (call == Call::Reset) {
+    forget();
+  } else if (isInitial(call) || (changesState(call) && has_state_)) {
+    history_.push_back({call, process_->lastRequest()});
   }
-}
-
-void RemotePlugin::checkpoint() {
+  const auto since = std::ranges::count_if(
+      history_, [](const RecordedCall& one) { return changesState(one.call); });
+  if (since < kCheckpointEvery) return;
   std::string state;
   const Status status =
       process_->call(Call::Save, kNoData, [&](Decoder& decoder) { decoder.get(state); });
-  calls_since_checkpoint_.clear();
-  if (status.isOk()) {
-    checkpoint_ = std::move(state);
-    return;
-  }
+  forget();
+  history_.push_back({Call::Restore, std::move(state)});
+  if (status.isOk()) return;
   restart_enabled_ = false;
   log_->warning("its state cannot be saved, so it will not be restarted: " + status.message());
 }
 
-/// Repeats calls. Calls since the checkpoint may fail, because they failed before; initial calls
-/// may not.
-Status RemotePlugin::repeat(const std::vector<RecordedCall>& calls) {
-  for (const RecordedCall& recorded : calls) {
-    Status status = process_->call(
-        recorded.call, [&](Encoder& encoder) { encoder.append(recorded.request); },
-        [](Decoder& decoder) { decoder.skip(); });
-    if (process_->hasEnded() || (isInitial(recorded.call) && !status.isOk())) return status;
-  }
-  return Status::ok();
-}
-
+/// Calls since the checkpoint may fail, because they failed before; those before may not.
 Status RemotePlugin::startAndRestore() {
   created_ = false;
   auto refusal = load();
   process_->connect(nullptr, nullptr, cancellation_);  // the repeated calls were logged before
   if (!refusal) refusal = create();
-  if (refusal) {
-    return Status::failed(refusal->message);
+  if (refusal) return Status::failed(refusal->message);
+  for (const RecordedCall& recorded : history_) {
+    Status status = process_->call(
+        recorded.call,
+        [&](Encoder& encoder) {
+          if (recorded.call == Call::Restore) return encoder.put(recorded.request);
+          encoder.append(recorded.request);
+        },
+        [](Decoder& decoder) { decoder.skip(); });
+    const bool must_succeed = !changesState(recorded.call);
+    if (process_->hasEnded() || (must_succeed && !status.isOk())) return status;
   }
-  Status status = repeat(initial_calls_);
-  if (status.isOk() && !checkpoint_.empty()) {
-    status = process_->call(
-        Call::Restore, [&](Encoder& encoder) { encoder.put(checkpoint_); }, kNoData);
-  }
-  return status.isOk() ? repeat(calls_since_checkpoint_) : status;
+  return Status::ok();
 }
 
 Status RemotePlugin::restart() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/remote_roles.hpp"
+// The roles of a plugin in another process.
 
 #include <array>
 #include <istream>
@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "host/guard.hpp"
-#include "host/motion_times.hpp"
+#include "host/remote_plugin.hpp"
 
 namespace tolman::host {
 namespace {
@@ -30,7 +30,7 @@ class RemoteRole : public RoleType,
 
   void arrays(std::vector<NamedArray>& arrays) const override {
     const Status status = remote_->call(Call::Arrays, kNone, std::tie(arrays));
-    if (!status.isOk()) throw host::FailedCall(status);
+    if (!status.isOk()) throw FailedCall(status);
   }
   Status describe(std::vector<ArrayInfo>& arrays) const override {
     std::vector<ArrayInfo> described;
@@ -41,7 +41,7 @@ class RemoteRole : public RoleType,
   std::string url() const override {
     std::string url;
     const Status status = remote_->call(Call::Url, kNone, std::tie(url));
-    if (!status.isOk()) throw host::FailedCall(status);
+    if (!status.isOk()) throw FailedCall(status);
     return url;
   }
   Status rawRig(RawRig& rig) override { return remote_->call(Call::RawRig, kNone, std::tie(rig)); }
@@ -76,45 +76,20 @@ class RemoteSource final : public RemoteRole<Source> {
 class RemoteOdometry final : public RemoteRole<Odometry> {
  public:
   using RemoteRole::RemoteRole;
+  /// A new process without the state of the last one begins anew: until it finds a motion, those
+  /// frames fail and the engine predicts them, instead of recording that the camera stood.
   Status track(const Frame& frame, Motion& motion) override {
-    const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
-    last_stamp_ns_ = frame.stamp_ns;
     const Status status = ask(Call::Track, std::tie(frame), std::tie(motion));
-    if (!status.isOk()) {
-      if (!remote_->alive()) ++missed_;
-      return status;
-    }
-    predicting_ = (predicting_ || remote_->takeStateLoss()) &&
-                  motion.state == TrackingState::Initialising && has_last_;
-    if (predicting_) {
-      host::predict(motion, last_, dt);  // the first motion of a new plugin would be the identity
-    } else if (missed_ > 0) {
-      removeMissed(motion, dt);
-    }
-    missed_ = 0;
-    last_ = motion;
-    has_last_ = true;
-    return status;
+    if (!status.isOk()) return status;
+    begins_ = (begins_ || remote_->takeStateLoss()) && motion.state == TrackingState::Initialising;
+    return begins_ ? Status::failed("was restarted and has found no motion yet") : status;
   }
   Status finish(std::vector<MotionRevision>& revisions) override {
     return ask(Call::FinishOdometry, kNone, std::tie(revisions));
   }
 
  private:
-  /// A restored plugin did not process the frames at which its process ended, so its motion spans
-  /// them. The host has used the last motion for each of those frames; it is removed here.
-  void removeMissed(Motion& motion, double dt) const {
-    for (int i = 0; i < missed_; ++i) {
-      motion.T_previous_current = last_.T_previous_current.inverse() * motion.T_previous_current;
-    }
-    setPlanarVelocity(motion, dt);
-  }
-
-  Motion last_;
-  std::int64_t last_stamp_ns_ = 0;
-  int missed_ = 0;  ///< frames since the last answer at which the process ended
-  bool predicting_ = false;
-  bool has_last_ = false;
+  bool begins_ = false;
 };
 
 class RemotePlace final : public RemoteRole<Place> {
@@ -123,7 +98,7 @@ class RemotePlace final : public RemoteRole<Place> {
   PlaceInput input() const override {
     PlaceInput input = PlaceInput::Frame;
     const Status status = ask(Call::Input, kNone, std::tie(input));
-    if (!status.isOk()) throw host::FailedCall(status);
+    if (!status.isOk()) throw FailedCall(status);
     return input;
   }
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override {
@@ -184,9 +159,8 @@ class RemoteObserver final : public RemoteRole<Observer> {
 };
 
 template <class Proxy>
-std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
-                                      const std::string& name) {
-  const host::Manifest& manifest = remote->manifest();
+std::unique_ptr<Instance> adopt(std::shared_ptr<RemotePlugin> remote, const std::string& name) {
+  const Manifest& manifest = remote->manifest();
   auto proxy = std::make_unique<Proxy>(remote);
   PluginObject object{proxy.get()};
   if (remote->hasArrays()) object.arrays = proxy.get();
@@ -195,7 +169,7 @@ std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
   if (manifest.hasExtra("page")) object.page = proxy.get();
   if (manifest.hasExtra("raw_rig")) object.raw_rig = proxy.get();
   (void)proxy.release();  // owned by the instance
-  return std::make_unique<host::Instance>(manifest, name, object, [](Plugin* plugin) {
+  return std::make_unique<Instance>(manifest, name, object, [](Plugin* plugin) {
     const std::unique_ptr<Proxy> owned(static_cast<Proxy*>(plugin));
     return owned->remote().destroy();
   });
@@ -203,8 +177,8 @@ std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
 
 }  // namespace
 
-host::OrRefusal<std::unique_ptr<host::Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
-                                                             const std::string& name) {
+OrRefusal<std::unique_ptr<Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
+                                                 const std::string& name) {
   constexpr std::array kAdopt = {&adopt<RemoteSource>, &adopt<RemoteOdometry>,
                                  &adopt<RemotePlace>,  &adopt<RemoteCells>,
                                  &adopt<RemoteMap>,    &adopt<RemoteObserver>};

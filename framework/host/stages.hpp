@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calls the roles under the guard, and checks every answer against the contract: frame, stamp,
-// order in time, values that can be recorded (values.hpp, arrays.hpp), and the rules of its role
-// (answers.hpp).
+// order in time, values that can be recorded (values.hpp), and the rules of its role (answers.hpp).
 #pragma once
 
 #include <algorithm>
@@ -14,10 +13,38 @@
 
 #include "host/answers.hpp"
 #include "host/instance.hpp"
-#include "host/motion_times.hpp"
+#include "tolman/records.hpp"
 #include "tolman/roles.hpp"
+#include "tolman/status.hpp"
 
 namespace tolman::host {
+
+/// Remembers the frames that odometry was given, and checks the `dt` of its motions against their
+/// stamps.
+class MotionTimes {
+ public:
+  /// `motion` is the answer to `frame`. Its `dt` must be within a factor of ten of the time since
+  /// the previous frame, because some plugins use a nominal rate. The previous frame is the last
+  /// one that odometry was given or, if it failed there, the last one that it answered.
+  Status check(const Frame& frame, const Motion& motion) const;
+  /// To be called after each call, `answered` or not.
+  void add(const Frame& frame, bool answered);
+  /// The last frame; INT64_MAX if there was none.
+  std::int64_t lastFrame() const { return last_frame_; }
+  /// False for a frame between the first and the last that realtime dropped.
+  bool wasGiven(std::int64_t frame) const;
+
+ private:
+  /// Numbers of frames that were left out, both ends included.
+  struct Gap {
+    std::int64_t first;
+    std::int64_t last;
+  };
+  std::vector<Gap> gaps_;  // ascending
+  std::int64_t last_frame_ = INT64_MAX;
+  std::int64_t given_ns_ = 0;
+  std::int64_t answered_ns_ = 0;
+};
 
 inline constexpr std::int64_t kUnlimited = INT64_MAX;
 
@@ -47,10 +74,10 @@ class Stage {
 class SourceStage : public Stage<Source> {
  public:
   using Stage::Stage;
-  /// Checks the number of frames and the cameras (rig_check.hpp).
+  /// Checks the number of frames and the cameras (checkRig()).
   Status info(SourceInfo& info);
   /// Checks that frames are 0, 1, 2, ..., stamps increase, true poses were announced by info(),
-  /// images fit the rig (frame_images.hpp), and arrays keep their shapes.
+  /// images fit the rig (checkImages()), and arrays keep their shapes.
   Status next(Frame& frame);
   /// Sets the next frame: after reset() the defaults, after load() those of the saved state.
   void resetChecks(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);

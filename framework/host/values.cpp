@@ -12,9 +12,63 @@
 #include "config/text.hpp"
 
 namespace tolman::host {
+namespace {
 
-Status statusOf(const ValueProblem& problem) {
-  return Status::failed(fmt::format(fmt::runtime(problem.what), problem.field));
+Status checkImage(const Image& image, const CameraRig& rig, const char* side) {
+  const int width = image.width();
+  const int height = image.height();
+  if (image.empty()) {
+    if (width == 0 && height == 0) return Status::ok();
+    return Status::failed(
+        fmt::format("the {} image has {}x{} px and no data", side, width, height));
+  }
+  if (width != rig.width || height != rig.height) {
+    return Status::invalidInput(fmt::format("an image of {}x{} px; the rig has {}x{}", width,
+                                            height, rig.width, rig.height));
+  }
+  if (image.format() != PixelFormat::Gray8 && image.format() != PixelFormat::Bgr8) {
+    return Status::failed(fmt::format("the {} image has an unknown pixel format", side));
+  }
+  const std::ptrdiff_t row = std::ptrdiff_t{width} * bytesPerPixel(image.format());
+  if (image.stride() >= row) return Status::ok();
+  return Status::failed(fmt::format("the {} image has rows of {} bytes and a stride of {}", side,
+                                    row, image.stride()));
+}
+
+}  // namespace
+
+Status checkImages(const Frame& frame, const CameraRig& rig) {
+  Status status = checkImage(frame.left, rig, "left");
+  if (status.isOk()) status = checkImage(frame.right, rig, "right");
+  if (!status.isOk() || !rig.isStereo()) return status;
+  if (frame.left.empty() != frame.right.empty()) {
+    return Status::failed(
+        fmt::format("only the {} image of a pair; give both, or none and a 'defect' that says why",
+                    frame.left.empty() ? "right" : "left"));
+  }
+  if (frame.left.empty() || frame.left.format() == frame.right.format()) return status;
+  return Status::failed("the images of a pair have different pixel formats");
+}
+
+Status checkRig(const CameraRig& rig) {
+  if (rig.width < 0 || rig.height < 0 || (rig.width == 0) != (rig.height == 0)) {
+    return Status::invalidInput(
+        fmt::format("the cameras have images of {}x{} px; give their width and height, or 0 and 0 "
+                    "where there are no images",
+                    rig.width, rig.height));
+  }
+  if (rig.baseline < 0) {
+    return Status::invalidInput(
+        fmt::format("the baseline of the cameras is {:.5g} m; it is the distance of the right "
+                    "camera to the right of the left one: exchange the two cameras if they are "
+                    "the wrong way round, or give 0 for a single one",
+                    rig.baseline));
+  }
+  if (!rig.calibrated || (rig.pinhole.fx > 0 && rig.pinhole.fy > 0)) return Status::ok();
+  return Status::invalidInput(fmt::format(
+      "the focal lengths of the cameras are {:.5g} and {:.5g} px; they must be above 0: "
+      "correct the calibration, or set `calibrated` to false where they are not known",
+      rig.pinhole.fx, rig.pinhole.fy));
 }
 
 namespace {
@@ -117,28 +171,23 @@ Status ArrayShapes::checkShapes(const std::vector<NamedArray>& arrays) {
 
 Status ArrayShapes::check(const std::vector<NamedArray>& arrays) {
   if (Status status = checkArrays(arrays); !status.isOk()) return status;
-  if (known_.empty()) {
-    for (const NamedArray& array : arrays) known_.emplace(array.name, array.shape);
-    return Status::ok();
-  }
+  const bool is_first = known_.empty();
+  std::size_t same = 0;
   for (const NamedArray& array : arrays) {
-    const auto found = known_.find(array.name);
-    if (found == known_.end()) {
+    const auto& [known, is_new] = known_.emplace(array.name, array.shape);
+    if (is_new && !is_first) {
       return Status::failed("array '" + array.name +
-                            "' was not there before; the names stay the "
-                            "same over a run");
+                            "' was not there before; the names stay the same over a run");
     }
-    if (found->second != array.shape) {
-      return changedShape(array);
-    }
+    if (known->second != array.shape) return changedShape(array);
+    ++same;
   }
-  if (arrays.size() == known_.size()) return Status::ok();
+  if (same == known_.size()) return Status::ok();
   const auto missing = std::ranges::find_if(known_, [&](const auto& known) {
     return std::ranges::find(arrays, known.first, &NamedArray::name) == arrays.end();
   });
   return Status::failed("array '" + missing->first +
-                        "' is missing; the names stay the same over "
-                        "a run");
+                        "' is missing; the names stay the same over a run");
 }
 
 }  // namespace tolman::host

@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether the values of an answer can be recorded: finite, within the limits of a record
-// (config/limits.hpp), enumerators with a name, orthonormal rotations. Arrays: see arrays.hpp.
+// (config/limits.hpp), enumerators with a name, orthonormal rotations; arrays that keep their
+// shapes, images that fit the cameras, and cameras that can exist.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "config/limits.hpp"
+#include "tolman/camera.hpp"
 #include "tolman/fields.hpp"
+#include "tolman/records.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::host {
 
-/// The first field with a wrong value, with its enclosing fields ("revisions.covariance").
-struct ValueProblem {
-  std::string field;
-  const char* what = nullptr;  ///< null: no problem
-};
+/// Requires valid pixels, rows that do not overlap, and the sizes of the rig; and of a pair either
+/// both images in one format or none.
+Status checkImages(const Frame& frame, const CameraRig& rig);
+
+/// Refuses sizes and baselines below 0, and calibrated cameras without focal lengths. The engine
+/// warns of unusual cameras (engine/camera_check.hpp).
+Status checkRig(const CameraRig& rig);
 
 inline constexpr const char* kIllegal = "the answer has NaN, infinity or an illegal value in '{}'";
 inline constexpr const char* kTooLarge =
@@ -60,43 +68,35 @@ const char* wrongIn(const T& value) {
   return nullptr;  // not checked: shorter integers, text, pixels
 }
 
+/// Names the first field with a wrong value, after the fields that enclose it
+/// ("revisions.covariance").
 template <Record R>
-ValueProblem problemOf(const R& record);
-
-template <class T>
-ValueProblem problemOf(const T& value) {
-  return {"", wrongIn(value)};
-}
-
-template <Record R>
-ValueProblem problemOf(const std::vector<R>& records) {
-  ValueProblem problem;
-  for (const R& record : records) {
-    if (problem = problemOf(record); problem.what != nullptr) break;
-  }
-  return problem;
-}
-
-inline ValueProblem problemOf(const std::vector<NamedArray>&) { return {}; }
-
-template <Record R>
-ValueProblem problemOf(const R& record) {
-  ValueProblem first;
+Status checkValues(const R& record, std::string_view enclosing = {}) {
+  Status status;
+  const auto check = [&](const auto& value, std::string_view name) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (Record<T>) {
+      return checkValues(value, fmt::format("{}{}.", enclosing, name));
+    } else {
+      const char* what = wrongIn(value);
+      return what == nullptr ? Status::ok()
+                             : Status::failed(fmt::format(fmt::runtime(what),
+                                                          fmt::format("{}{}", enclosing, name)));
+    }
+  };
   visitFields(record, [&](const Field& field, const auto& value) {
-    if (first.what != nullptr) return;
-    first = problemOf(value);
-    if (first.what == nullptr) return;
-    first.field = std::string(field.name) + (first.field.empty() ? "" : "." + first.field);
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
+      // checkArrays()
+    } else if constexpr (requires { requires Record<typename T::value_type>; }) {
+      for (const auto& one : value) {
+        if (status.isOk()) status = check(one, field.name);
+      }
+    } else {
+      if (status.isOk()) status = check(value, field.name);
+    }
   });
-  return first;
-}
-
-Status statusOf(const ValueProblem& problem);
-
-template <class T>
-Status checkValues(const T& record) {
-  const ValueProblem problem = problemOf(record);
-  return problem.what == nullptr ? Status::ok() : statusOf(problem);
+  return status;
 }
 
 // Whether named arrays and their descriptions can be recorded and shown.

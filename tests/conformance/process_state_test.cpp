@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/process_state.hpp"
+#include "conformance/process_state.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -33,8 +33,8 @@ TEST_CASE("an exception in the flow is a failure, and frames before it are kept"
   };
   const auto result = system.drive(settingsOf(mode), threads);
   REQUIRE(result.failure);
-  CHECK(result.failure->role == Role::Observer);
-  CHECK(host::isOutOfMemory(result.failure->status));
+  CHECK(result.failure->stage == enumName(Role::Observer));
+  CHECK(result.failure->kind == engine::FailureKind::Machine);
   CHECK(system.diary.entries.size() >= 1);
   CHECK(hooks.finished == 4);  // all stages are finished as after any failure
 }
@@ -50,6 +50,6 @@ TEST_CASE("a flow that fails again and again leaves no task behind") {
     };
     const auto result = system.drive(settingsOf(config::PipelineMode::Lossless), 4);
     REQUIRE(result.failure);
-    CHECK(result.failure->status.message().find("no") != std::string::npos);
+    CHECK(result.failure->message.find("no") != std::string::npos);
   }
 }

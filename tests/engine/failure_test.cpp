@@ -31,8 +31,8 @@ TEST_CASE("stop: exactly the frames before the failure are published, for any st
       ToySystem system(hooks);
       const auto result = system.drive({}, threads);
       REQUIRE(result.failure);
-      CHECK(result.failure->role == role);
-      CHECK(result.failure->status.message().find("frame 7: broken") != std::string::npos);
+      CHECK(result.failure->stage == enumName(role));
+      CHECK(result.failure->message.find("frame 7: broken") != std::string::npos);
       CHECK(system.diary.entries.size() == 7);
       CHECK(result.counters.frames == 7);
       CHECK(hooks.finished == 4);
@@ -49,8 +49,8 @@ TEST_CASE("a failing source ends the run after all frames that it gave") {
   ToySystem system(hooks);
   const auto result = system.drive({}, 2);
   REQUIRE(result.failure);
-  CHECK(result.failure->role == Role::Source);
-  CHECK(result.failure->status.message() == "source (toy), next, frame 5: broken");
+  CHECK(result.failure->stage == enumName(Role::Source));
+  CHECK(result.failure->message == "source (toy), next, frame 5: broken");
   CHECK(system.diary.entries.size() == 5);
 }
 
@@ -105,8 +105,8 @@ TEST_CASE("a listener that fails (a full disk) stops the run with its own status
   };
   const auto result = system.drive({}, 2);
   REQUIRE(result.failure);
-  CHECK(result.failure->role == Role::Observer);
-  CHECK(result.failure->status.message() == "broken");
+  CHECK(result.failure->stage == enumName(Role::Observer));
+  CHECK(result.failure->message == "broken");
   // Frames that the map processed meanwhile are published without a gap; no new ones are started.
   const std::size_t count = system.diary.entries.size();
   CHECK(count >= 5);
@@ -122,8 +122,8 @@ TEST_CASE("a map without poses of frames that it accepted stops the run, or is r
   ToySystem stopping(hooks);
   const auto stopped = stopping.drive({}, 2);
   REQUIRE(stopped.failure);
-  CHECK(stopped.failure->role == Role::Map);
-  CHECK(stopped.failure->status.message() ==
+  CHECK(stopped.failure->stage == enumName(Role::Map));
+  CHECK(stopped.failure->message ==
         "poseOf() has no pose for 2 frames that update() accepted; the trajectories lack them");
   ToySystem skipping(hooks);
   const auto policy = FailurePolicy::Skip;
@@ -149,8 +149,8 @@ TEST_CASE("after a failure no graph with a frame without a record is published")
   ToySystem system(hooks);
   const auto result = system.drive({}, 2);
   REQUIRE(result.failure);
-  CHECK(result.failure->role == Role::Map);
-  CHECK_THAT(result.failure->status.message(), Catch::Contains("torn"));
+  CHECK(result.failure->stage == enumName(Role::Map));
+  CHECK_THAT(result.failure->message, Catch::Contains("torn"));
   CHECK(system.diary.entries.back().frame == 4);
   CHECK(system.diary.graphs.back().second == 5);
   CHECK(system.diary.final_size == 0);  // the graph has frame 5

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faults of cameras that begin and end during a run.
-#include "engine/frame_check.hpp"
+#include "engine/camera_check.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cropped and scaled images against OpenCV's area means; calibration against projected points.
-#include "engine/image_cut.hpp"
+#include "engine/pixel_map.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

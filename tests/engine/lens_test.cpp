@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Projection against OpenCV's functions, and against the closed form of the mirror.
-#include "engine/lens.hpp"
+#include "engine/rectified_view.hpp"
 
 #include <catch2/catch.hpp>
 #include <opencv2/calib3d.hpp>

@@ -6,7 +6,7 @@
 
 #include "engine/pixel_map.hpp"
 #include "engine/rectified_view.hpp"
-#include "engine/stereo_check.hpp"
+#include "engine/camera_check.hpp"
 #include "layouts.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "engine/lens.hpp"
 #include "engine/pixel_map.hpp"
 #include "engine/raw_cameras.hpp"
 #include "support/gray_images.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report on a run without motion.
-#include "engine/run_counters.hpp"
+#include "engine/frame_records.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -44,8 +44,8 @@ TEST_CASE("the map of an earlier session gets no motion of another scale, under 
   chain.continueMap({true, "runs/monday"});
   const auto result = drive(chain, {}, 2, system.flag);
   REQUIRE(result.failure);
-  CHECK(result.failure->role == Role::Odometry);
-  CHECK(result.failure->other_scale);
-  CHECK(result.failure->status.message().starts_with("frame 1: odometry gives lengths in"));
+  CHECK(result.failure->stage == enumName(Role::Odometry));
+  CHECK(result.failure->kind == engine::FailureKind::Continuation);
+  CHECK(result.failure->message.starts_with("frame 1: odometry gives lengths in"));
   CHECK(system.diary.entries.size() == 1);  // the first frame has no motion
 }

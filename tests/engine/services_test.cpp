@@ -9,7 +9,6 @@
 
 #include "end_to_end/process.hpp"
 #include "host/instance.hpp"
-#include "host/stage_artefacts.hpp"
 #include "record/output_places.hpp"
 #include "support/data.hpp"
 

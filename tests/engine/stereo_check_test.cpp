@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The measured misalignment of scenes whose misalignment is known.
-#include "engine/stereo_check.hpp"
+#include "engine/camera_check.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The watchdog, with a clock and a disk of the test.
-#include "engine/watchdog.hpp"
+#include "engine/run_listener.hpp"
 
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -12,7 +12,7 @@
 #include "bayesian_attractor.hpp"
 #include "experience_map.hpp"
 #include "host/calls.hpp"
-#include "host/codec.hpp"
+#include "base/codec.hpp"
 #include "input.hpp"
 #include "place_replay.hpp"
 #include "seqslam.hpp"
@@ -163,7 +163,7 @@ void writeMap(const fs::path& folder) {
 template <class... T>
 std::string encoded(const T&... values) {
   host::SharedBuffer memory("corpus");
-  host::Encoder encoder(memory);
+  Encoder encoder(memory);
   encoder.putAll(values...);
   return {reinterpret_cast<const char*>(memory.view(encoder.size())), encoder.size()};
 }
@@ -271,7 +271,7 @@ void writeCalls(const fs::path& folder) {
   writeCall(folder, "finish_observer", Role::Observer, Call::FinishObserver, smallGraph());
   const ParameterValues parameters = {{"rate", 2.5}, {"path", std::string("/data")}, {"on", true}};
   writeCall(folder, "configure", Role::Map, Call::Configure,
-            host::ContextMessage{parameters, smallRun().source.rig, 1, "map", false, true});
+            host::ContextMessage{parameters, smallRun().source.rig, 1, "map"});
   writeCall(folder, "load", Role::Map, Call::Load,
             host::LoadMessage{"/plugins/map.so", "map", "", 100, 2});
 }

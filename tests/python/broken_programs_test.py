@@ -84,11 +84,11 @@ OPENING = {
     "ends the process at import": (program(imports="import os\nos._exit(4)"), "exited with code 4"),
     "kills itself at import": (program(imports="import os\nos.kill(os.getpid(), 9)"), "SIGKILL"),
     "hangs at import": (program(imports="while True:\n    pass"), "isolation.deadline"),
-    "sleeps at import": (program(imports="import time\ntime.sleep(1000)"), "was killed at mine.py:3, in <module>"),
-    "never ends in a library": (program(imports="import re\nre.match('(a+)+$', 'a' * 60 + 'b')"), "was killed at mine.py:3, in <module>"),
+    "sleeps at import": (program(imports="import time\ntime.sleep(1000)"), 'mine.py", line 3 in <module>'),
+    "never ends in a library": (program(imports="import re\nre.match('(a+)+$', 'a' * 60 + 'b')"), 'mine.py", line 3 in <module>'),
     "aborts at import": (
         program(imports="import os\nos.abort()"),
-        "mine.py: while it was imported: its process died of SIGABRT (Aborted) at mine.py:3, in <module>"),
+        "mine.py: while it was imported: its process died of SIGABRT (Aborted)"),
     "recursion at import": (program(imports="def f():\n    f()\nf()"), "RecursionError"),
     "parameter without type": (program(members="gain = tolman.parameter(1)"), "has no type"),
     "parameter of a strange type": (program(members="gain: set = tolman.parameter(1)"), "legal types"),
@@ -146,7 +146,7 @@ RUNNING = {
     "abort": (program(imports="import os", step="os.abort()"), "SIGABRT"),
     "segmentation fault": (program(imports="import ctypes", step="ctypes.string_at(0)"), "SIGSEGV"),
     "kills itself": (program(imports="import os", step="os.kill(os.getpid(), 9)"), "SIGKILL"),
-    "endless loop": (program(step="while True: pass"), "did not return within 6 s and was killed at mine.py:13, in step"),
+    "endless loop": (program(step="while True: pass"), 'mine.py", line 13 in step'),
     "sleeps": (program(imports="import time", step="time.sleep(1000)"), "did not"),
     "waits for a lock": (program(imports="import threading", step="threading.Lock().acquire() or 0\nlock = threading.Lock()\n"
                                  "lock.acquire()\nlock.acquire()"), "did not"),
@@ -174,7 +174,7 @@ HARMLESS = {
     "no collector of garbage": program(imports="import gc", step="gc.disable()"),
     "a deeper stack": program(imports="import sys", step="sys.setrecursionlimit(100000)"),
 }
-HANGS = ("did not", "isolation.deadline", "was killed at")  # parts of what is expected of those that never answer
+HANGS = ("did not", "isolation.deadline", 'mine.py", line')  # parts of what is expected of those that never answer
 
 
 def limits(expected=""):

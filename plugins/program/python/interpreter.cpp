@@ -158,24 +158,18 @@ ParameterInfo parameterFrom(py::handle declared) {
   return info;
 }
 
-/// Lets the host have the stack when a call does not return or a signal ends it. `faulthandler`
-/// writes it without the interpreter's lock, so also while an extension module keeps the lock.
-void tellStack() {
-  const char* number = std::getenv("TOLMAN_STACK_DESCRIPTOR");
-  if (number == nullptr) return;
-  const int descriptor = std::atoi(number);
-  constexpr std::string_view kReady = "faulthandler\n";
-  if (::write(descriptor, kReady.data(), kReady.size()) < 0) return;
-  ::unsetenv("TOLMAN_STACK_DESCRIPTOR");  // its number means nothing in processes of the plugin
+/// Writes the stack to stderr when a signal ends the process, and at SIGUSR2, which the host sends
+/// to a call that does not return. `faulthandler` needs no lock of the interpreter for it.
+void writeStackAtFaults() {
   using py::literals::operator""_a;
   const py::object handler = py::module_::import("faulthandler");
-  handler.attr("register")(SIGUSR2, "file"_a = descriptor, "all_threads"_a = false);
-  handler.attr("enable")("file"_a = descriptor, "all_threads"_a = false);
+  handler.attr("register")(SIGUSR2, "all_threads"_a = false);
+  handler.attr("enable")("all_threads"_a = false);
 }
 
 void import(const std::string& file, Program& program) {
   const OneThread one_thread;
-  tellStack();
+  writeStackAtFaults();
   if (const std::string folder = packageFolder(); !folder.empty()) {
     py::module_::import("sys").attr("path").attr("insert")(0, folder);
   }

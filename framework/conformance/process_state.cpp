@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/process_state.hpp"
+#include "conformance/process_state.hpp"
 
 #include <dlfcn.h>
 #include <immintrin.h>
@@ -14,12 +14,10 @@
 #include <clocale>
 #include <csignal>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <locale>
-#include <new>
 #include <thread>
 
 namespace tolman::conformance {
@@ -78,8 +76,6 @@ ProcessState processState() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
   state["umask"] = std::to_string(mask);
-  state["terminate handler"] = pointerText(std::get_terminate());
-  state["new handler"] = pointerText(std::get_new_handler());
   addSignals(state);
   addNumbers(state);
   return state;

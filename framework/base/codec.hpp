@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Encodes and decodes records and the other arguments of a call: the fields of a record in order,
-// in the machine's byte order, since both processes run the same build. The decoder checks all
-// sizes, because the sender may be a defective process.
+// The binary codec: records and other values as the bytes of their fields in order, in the
+// machine's byte order, for readers of the same build. The decoder checks all sizes and throws
+// std::domain_error for bytes that no encoder wrote.
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -17,29 +19,18 @@
 #include <variant>
 #include <vector>
 
-#include "host/channel.hpp"
-#include "host/gate.hpp"
 #include "tolman/parameters.hpp"
 #include "tolman/roles.hpp"
 
-namespace tolman::host {
+namespace tolman {
 
-/// The bytes are not a valid encoding.
-struct MalformedMessage : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// The members of structs that are not records.
+/// The members of a struct that is not a record: overload it in the namespace of the struct.
 template <class T>
 requires std::same_as<std::remove_const_t<T>, ParameterInfo>
 auto parts(T& info) {
   return std::tie(info.name, info.type, info.default_value, info.required, info.min, info.max,
                   info.unit, info.doc, info.choices);
 }
-
-template <class T>
-requires std::same_as<std::remove_const_t<T>, host::Refusal>
-auto parts(T& refusal) { return std::tie(refusal.id, refusal.message, refusal.remedy); }
 
 template <class T>
 concept HasParts = requires(T& value) {
@@ -50,9 +41,17 @@ concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <class T>
 concept Matrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
 
+/// Where an Encoder writes.
+class ByteBuffer {
+ public:
+  virtual ~ByteBuffer() = default;
+  /// At least `size` bytes; keeps what was written. May move the memory.
+  virtual std::byte* reserve(std::size_t size) = 0;
+};
+
 class Encoder {
  public:
-  explicit Encoder(SharedBuffer& buffer) : buffer_(buffer) {}
+  explicit Encoder(ByteBuffer& buffer) : buffer_(buffer) {}
   std::size_t size() const { return size_; }
 
   template <class... T>
@@ -121,7 +120,7 @@ class Encoder {
     std::memcpy(buffer_.reserve(size_ + count) + size_, bytes, count);
     size_ += count;
   }
-  SharedBuffer& buffer_;
+  ByteBuffer& buffer_;
   std::size_t size_ = 0;
 };
 
@@ -158,7 +157,7 @@ class Decoder {
   }
   void get(Status& status) {
     const auto code = next<StatusCode>();
-    if (code > StatusCode::Failed) throw MalformedMessage("a status code that does not exist");
+    if (code > StatusCode::Failed) throw std::domain_error("a status code that does not exist");
     status =
         code == StatusCode::Ok ? (skipText(), Status::ok()) : Status(code, next<std::string>());
   }
@@ -176,7 +175,7 @@ class Decoder {
     const auto most = static_cast<Eigen::Index>(remaining() / kScalar);
     if (!rows_fit || !columns_fit || rows < 0 || columns < 0 ||
         (rows > 0 && columns > most / rows)) {
-      throw MalformedMessage("a matrix of impossible size");
+      throw std::domain_error("a matrix of impossible size");
     }
     matrix.resize(rows, columns);
     const std::size_t bytes = kScalar * static_cast<std::size_t>(matrix.size());
@@ -204,7 +203,7 @@ class Decoder {
     const auto index = next<std::size_t>();
     std::size_t i = 0;
     ((index == i++ ? void(value = next<T>()) : void()), ...);
-    if (index >= sizeof...(T)) throw MalformedMessage("a parameter of no known type");
+    if (index >= sizeof...(T)) throw std::domain_error("a parameter of no known type");
   }
   void get(ParameterValues& values);
   template <HasParts T>
@@ -218,7 +217,7 @@ class Decoder {
 
  private:
   const std::byte* take(std::size_t count) {
-    if (count > remaining()) throw MalformedMessage("the message ends too early");
+    if (count > remaining()) throw std::domain_error("the message ends too early");
     const std::byte* start = bytes_ + position_;
     position_ += count;
     return start;
@@ -227,7 +226,7 @@ class Decoder {
   /// the message cannot contain.
   std::size_t count(std::size_t least) {
     const auto count = next<std::size_t>();
-    if (count > remaining() / least) throw MalformedMessage("a list longer than its message");
+    if (count > remaining() / least) throw std::domain_error("a list longer than its message");
     return count;
   }
   void skipText() { take(count(1)); }
@@ -251,7 +250,7 @@ inline void Decoder::get(Image& image) {
   const auto format = next<PixelFormat>();
   if (width < 0 || height < 0 || width > kMaxSide || height > kMaxSide ||
       format > PixelFormat::Bgr8) {
-    throw MalformedMessage("an image of impossible size");
+    throw std::domain_error("an image of impossible size");
   }
   image = Image();
   if (width == 0 || height == 0) return;
@@ -272,4 +271,4 @@ inline void Decoder::get(ParameterValues& values) {
   }
 }
 
-}  // namespace tolman::host
+}  // namespace tolman

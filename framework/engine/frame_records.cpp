@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/run_counters.hpp"
+#include "engine/frame_records.hpp"
 
 namespace tolman::engine {
 
