@@ -105,8 +105,8 @@ Result<std::string> expandVariables(const std::string& text, const Environment& 
 /// again and counts as unquoted: {port: "${PORT:-8080}"} is a number.
 ///
 /// Stricter than yaml-cpp: of duplicate keys the first is kept and the others are problems. Merge
-/// keys, aliases, tags, keys that are not scalars, unclosed quotes and several documents are problems
-/// and give no tree. Does not throw for any input.
+/// keys, aliases, tags, keys that are not scalars, unclosed quotes and several documents are
+/// problems and give no tree. Does not throw for any input.
 std::optional<Node> readYaml(const std::string& text, const Origin& source, Problems& problems,
                              const Environment& environment = {}, const std::string& path = {});
 

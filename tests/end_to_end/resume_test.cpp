@@ -324,8 +324,7 @@ TEST_CASE("--resume takes the configuration of the run and nothing beside it") {
   CHECK(tolman::test::tolman({"run"}).exit_code == 2);
   const Finished missing = tolman::test::tolman({"run", "--resume", "/missing"});
   CHECK(missing.exit_code == 9);
-  CHECK(
-      contains(missing.err, "/missing: is no run directory, it holds no config.resolved.yaml"));
+  CHECK(contains(missing.err, "/missing: is no run directory, it holds no config.resolved.yaml"));
   const TemporaryFolder folder;
   const Finished no_run = tolman::test::tolman({"run", "--resume", folder.path().string()});
   CHECK(no_run.exit_code == 9);
