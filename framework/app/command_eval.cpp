@@ -1,111 +1,176 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman eval: errors of a trajectory file against the truth.
+// tolman eval: errors of trajectory files against the truth.
 #include <fmt/format.h>
 
 #include <iostream>
 
+#include "app/eval_scoring.hpp"
 #include "app/options.hpp"
 #include "app/summary.hpp"
-#include "config/text.hpp"
-#include "evaluation/plausibility.hpp"
-#include "evaluation/score.hpp"
 #include "evaluation/trajectory_files.hpp"
+#include "record/output_places.hpp"
+#include "report/axes.hpp"
 
 namespace tolman::app {
 namespace {
 
-struct EvalOptions {
+using evaluation::Statistics;
+using Json = nlohmann::ordered_json;
+
+struct EvalFiles {
   std::string truth;
-  std::string estimate;
-  std::string alignment = "se3";
-  double max_difference = -1;
+  std::vector<std::string> estimates;
+  std::string figure;
+  bool replace = false;
+  EvalOptions options;
 };
 
 void warn(const std::string& text, const Invocation& invocation) {
   if (!invocation.quiet) std::cerr << "warning: " + text + "\n";
 }
 
-/// Poses are matched by their order: refuses where the numbers of poses show that those of equal
-/// number are of different times, warns where that may be so.
-void checkOrder(const EvalOptions& options, const evaluation::Trajectory& truth,
-                const evaluation::Trajectory& estimate, const Invocation& invocation) {
-  const int with_stamps = evaluation::hasStamps(truth) + evaluation::hasStamps(estimate);
-  if (with_stamps == 2) {
-    warn(fmt::format("{}: its stamps and those of {} have no moment in common; the poses are "
-                     "matched by their order",
-                     options.estimate, options.truth),
-         invocation);
-  }
-  if (truth.size() == estimate.size() || truth.size() < 2 || estimate.size() < 2) return;
-  const std::string counts = fmt::format("{} has {} poses and {} has {}", options.estimate,
-                                         estimate.size(), options.truth, truth.size());
-  if (with_stamps == 1) {  // at another rate all errors would be wrong
-    fail(ExitCode::Dataset,
-         counts +
-             ", and only one of them has times: which belong together is not known; give both "
-             "with times (TUM) and --max-difference, or both as KITTI files that begin at the "
-             "same frame");
-  }
-  warn(counts +
-           ": pose N of one is compared with pose N of the other, so both must begin at the "
-           "same frame and leave none out; truth with times (TUM) and --max-difference match by "
-           "time",
-       invocation);
+std::string figuresOf(const Statistics& s, const std::string& unit) {
+  return fmt::format("rmse {:.4f} {}, mean {:.4f}, median {:.4f}, max {:.4f}", s.rmse, unit, s.mean,
+                     s.median, s.max);
 }
 
-void requireStamps(const std::string& file, const evaluation::Trajectory& trajectory) {
-  if (evaluation::hasStamps(trajectory) || trajectory.size() < 2) return;  // one may be at 0 s
-  fail(ExitCode::Usage,
-       file +
-           ": has no times, as all KITTI files; leave out --max-difference, and poses are "
-           "matched by frame");
+std::string detailsText(const Evaluated& found) {
+  const evaluation::Scores& scores = *found.metrics.scores;
+  std::string text;
+  if (scores.rotation_deg.count > 0) {
+    text += row("", "rotation " + figuresOf(scores.rotation_deg, "deg"));
+  }
+  for (std::size_t i = 0; i < scores.steps.size(); ++i) {
+    const evaluation::RelativeError& error = scores.steps[i];
+    text += row(i == 0 ? "steps" : "",
+                fmt::format("{}, {} pairs: {}", evaluation::textOf(found.protocol.steps[i]),
+                            error.translation_m.count, figuresOf(error.translation_m, "m")));
+    text += row("", "  rotation " + figuresOf(error.rotation_deg, "deg"));
+  }
+  for (const evaluation::SegmentMean& mean : scores.kitti.table) {
+    if (mean.segments == 0) continue;
+    text += row(&mean == scores.kitti.table.data() ? "segments" : "",
+                fmt::format("{:>5g} m  {:.3f} %, {:.3f} deg/100 m  ({})", mean.length_m,
+                            mean.t_rel_percent, mean.r_rel_deg_per_100m, mean.segments));
+  }
+  if (scores.path) {
+    text +=
+        row("path", fmt::format("without time: {}; Hausdorff distance {:.4f} m",
+                                figuresOf(scores.path->to_truth_m, "m"), scores.path->hausdorff_m));
+  }
+  for (const evaluation::TrajectoryMetrics& part : found.parts) {
+    text += trajectoryText(fmt::format("part {}", &part - found.parts.data() + 1), part);
+  }
+  return text;
 }
 
-void evaluate(const EvalOptions& options, const Invocation& invocation) {
-  const auto truth = valueOf(evaluation::readTrajectory(options.truth), ExitCode::Dataset);
-  const auto estimate = valueOf(evaluation::readTrajectory(options.estimate), ExitCode::Dataset);
-  std::int64_t difference_ns = evaluation::usualDifference(truth, estimate);
-  if (options.max_difference >= 0) {
-    requireStamps(options.truth, truth);
-    requireStamps(options.estimate, estimate);
-    difference_ns = static_cast<std::int64_t>(options.max_difference * 1e9);
-  } else if (difference_ns < 0) {
-    checkOrder(options, truth, estimate, invocation);
+std::string textOf(const Evaluated& found) {
+  const evaluation::AlignmentRule& rule = found.protocol.alignment;
+  std::string text = row("alignment", std::string(enumName(rule.kind)));
+  const double scale = found.metrics.scores->scale;
+  if (scale != 1) text += row("scale", fmt::format("{:.6f}", scale));
+  if (found.clock) {
+    text += row("clock", fmt::format("{:.4f} +- {:.4f} s added to the stamps of the estimate",
+                                     found.clock->seconds, found.clock->sigma));
   }
-  const auto alignment = *config::valueNamed<evaluation::Alignment>(options.alignment);
-  auto metrics = evaluation::score(truth, estimate, alignment, std::nullopt, difference_ns);
-  if (!metrics.scores) fail(ExitCode::Dataset, metrics.reason);
-  metrics.warning =
-      evaluation::doubtText(evaluation::doubts(truth, estimate, alignment, difference_ns));
-  if (metrics.matched * 20 < std::min(truth.size(), estimate.size())) {
-    warn(fmt::format("{}: only {} of {} poses have a true pose at their time; are both stamps in "
-                     "seconds, and of one clock?",
-                     options.estimate, metrics.matched, estimate.size()),
-         invocation);
+  if (found.body) text += bodyText(*found.body);
+  return text + trajectoryText("estimate", found.metrics) + detailsText(found);
+}
+
+Json jsonOf(const Evaluated& found) {
+  Json json = evaluation::toJson(found.metrics);
+  json.update(evaluation::detailsJson(*found.metrics.scores, found.protocol.steps));
+  json["alignment"] = enumName(found.protocol.alignment.kind);
+  if (found.clock) {
+    json["clock"] = {{"offset_s", found.clock->seconds}, {"sigma_s", found.clock->sigma}};
   }
-  if (invocation.json) {
-    std::cout << jsonText(evaluation::toJson(metrics));
-  } else {
-    std::cout << row("alignment", options.alignment) << trajectoryText("estimate", metrics);
+  if (found.body) json["body"] = evaluation::toJson(*found.body);
+  for (const auto& part : found.parts) json["parts"].push_back(evaluation::toJson(part));
+  return json;
+}
+
+/// One line per estimate.
+std::string tableOf(const std::vector<std::string>& names, const std::vector<Evaluated>& all) {
+  std::size_t width = 8;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  std::string text =
+      fmt::format("{:<{}}  {:>9} {:>9} {:>9} {:>9} {:>9}  {:>8} {:>9}  {}\n", "estimate", width,
+                  "ATE rmse", "mean", "max", "drift %", "deg/100m", "scale", "coverage", "");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const evaluation::Scores& s = *all[i].metrics.scores;
+    const bool known = s.kitti.segments > 0;
+    const auto drift = [&](double value) { return known ? fmt::format("{:.3f}", value) : "-"; };
+    text += fmt::format("{:<{}}  {:>9.3f} {:>9.3f} {:>9.3f} {:>9} {:>9}  {:>8.4f} {:>7.1f} %  {}\n",
+                        names[i], width, s.ate_m.rmse, s.ate_m.mean, s.ate_m.max,
+                        drift(s.kitti.t_rel_percent), drift(s.kitti.r_rel_deg_per_100m), s.scale,
+                        100 * s.coverage, all[i].metrics.warning.empty() ? "" : "WARNING");
   }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].metrics.warning.empty()) continue;
+    text += names[i] + ": WARNING " + all[i].metrics.warning + "\n";
+  }
+  return text;
+}
+
+void writeFigure(const EvalFiles& files, const std::vector<Evaluated>& all) {
+  std::vector<report::Curve> curves;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const evaluation::Scores& scores = *all[i].metrics.scores;
+    curves.push_back({std::filesystem::path(files.estimates[i]).filename().string(),
+                      report::lineColour(i), scores.driven_m, scores.errors_m});
+  }
+  const double top = 30 + report::Axes::legendHeight(report::legendOf(curves), 780);
+  report::Svg svg(880, 350 + top);
+  report::plot(
+      svg,
+      {"Position error after alignment", "driven path (m)", "error (m)", report::Range::none(),
+       report::Range::none(), report::frame(70, top, 850, 300 + top)},
+      curves);
+  failUnless(record::writeTogether({{files.figure, svg.take()}}, "--figure"));
+}
+
+void evaluateAll(const EvalFiles& files, const Invocation& invocation) {
+  if (!files.figure.empty()) refuseExisting({files.figure}, files.replace, "--figure");
+  const auto truth = valueOf(evaluation::readTrajectory(files.truth), ExitCode::Dataset);
+  std::vector<Evaluated> all;
+  for (const std::string& name : files.estimates) {
+    const auto estimate = valueOf(evaluation::readTrajectory(name), ExitCode::Dataset);
+    const Evaluated& found =
+        all.emplace_back(evaluate(files.options, truth, estimate, files.truth, name));
+    for (const std::string& text : found.warnings) warn(text, invocation);
+    if (found.metrics.matched * 20 < std::min(truth.size(), estimate.size())) {
+      warn(fmt::format("{}: only {} of {} poses have a true pose at their time; are both stamps in "
+                       "seconds, and of one clock?",
+                       name, found.metrics.matched, estimate.size()),
+           invocation);
+    }
+  }
+  if (!files.figure.empty()) writeFigure(files, all);
+  if (all.size() == 1) {
+    std::cout << (invocation.json ? jsonText(jsonOf(all[0])) : textOf(all[0]));
+    return;
+  }
+  if (!invocation.json) {
+    std::cout << tableOf(files.estimates, all);
+    return;
+  }
+  Json json;
+  for (std::size_t i = 0; i < all.size(); ++i) json[files.estimates[i]] = jsonOf(all[i]);
+  std::cout << jsonText(json);
 }
 
 }  // namespace
 
 void addEvalCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App& command =
-      *app.add_subcommand("eval", "Score a trajectory (TUM or KITTI file) against the truth");
-  auto options = std::make_shared<EvalOptions>();
-  addArgument(command, "truth", options->truth, "FILE", "True trajectory");
-  addArgument(command, "estimate", options->estimate, "FILE", "Estimated trajectory");
-  addChoice(command, "--align", options->alignment, {"none", "se2", "se3", "sim3"},
-            "Alignment before the comparison (default: se3)");
-  addOption(command, "--max-difference", options->max_difference, "SECONDS",
-            "Match by time, at most this many seconds apart (default: half a frame, at least "
-            "0.02; files without times by their order)")
-      ->check(notNegative)
-      ->check(CLI::Range(0.0, 1e6));
-  command.callback([options, &invocation] { evaluate(*options, invocation); });
+  CLI::App& command = *app.add_subcommand(
+      "eval", "Score trajectories (TUM, KITTI, EuRoC or CSV files) against the truth");
+  auto files = std::make_shared<EvalFiles>();
+  addArgument(command, "truth", files->truth, "FILE", "True trajectory");
+  addArgument(command, "estimate", files->estimates, "FILE...", "Estimated trajectories");
+  files->options.addTo(command);
+  addOption(command, "--figure", files->figure, "FILE", "Draw the errors over the path (SVG)");
+  command.add_flag("--force", files->replace, "Replace FILE of --figure");
+  command.callback([files, &invocation] { evaluateAll(*files, invocation); });
 }
 
 }  // namespace tolman::app

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <iostream>
+#include <numbers>
 #include <vector>
 
 #include "app/progress_line.hpp"
@@ -59,6 +60,12 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
                         s.kitti.lengths.name, left_out);
   }
   return text;
+}
+
+std::string bodyText(const evaluation::Extrinsic& body) {
+  const double degrees = Eigen::AngleAxisd(body.R).angle() * 180 / std::numbers::pi;
+  return row("body", "the truth is measured at " + evaluation::armText(body) +
+                         (degrees > 0 ? fmt::format(", turned by {:.2f} degrees", degrees) : ""));
 }
 
 std::string cellsText(const evaluation::CellFigures& cells) {
@@ -116,6 +123,7 @@ std::string figuresText(const evaluation::Metrics& metrics) {
                         unjoined.empty() ? "all parts of the map are joined" : unjoined);
   }
   text += fmt::format("{:<10}{}\n", "alignment", enumName(metrics.alignment));
+  if (metrics.body) text += bodyText(*metrics.body);
   text += trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
   if (!metrics.no_cells.empty()) {
     text += fmt::format("{:<10}WARNING no figures: {}\n", "cells", metrics.no_cells);

@@ -17,6 +17,9 @@ std::string healthText(const engine::Outcome& outcome);
 /// The figures of one trajectory; `name` heads the first line.
 std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMetrics& metrics);
 
+/// One line: where the truth is measured.
+std::string bodyText(const evaluation::Extrinsic& body);
+
 /// One line: errors of ring and grid modules against the truth, and the tuning of their units;
 /// empty where nothing is known.
 std::string cellsText(const evaluation::CellFigures& cells);

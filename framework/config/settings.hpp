@@ -102,6 +102,10 @@ enum class Segments : std::uint8_t { Auto, Kitti, Short };
 inline constexpr std::array<std::string_view, 3> kSegmentsNames = {"auto", "kitti", "short"};
 constexpr std::span<const std::string_view> enumNames(Segments) { return kSegmentsNames; }
 
+enum class TruthMatch : std::uint8_t { Interpolate, Nearest };
+inline constexpr std::array<std::string_view, 2> kTruthMatchNames = {"interpolate", "nearest"};
+constexpr std::span<const std::string_view> enumNames(TruthMatch) { return kTruthMatchNames; }
+
 /// Keys below `evaluation`. A list under `segments` is taken as `segment_lengths`.
 struct EvaluationSettings {
   AlignmentChoice alignment = AlignmentChoice::Auto;
@@ -109,9 +113,29 @@ struct EvaluationSettings {
   std::vector<double> segment_lengths;  ///< m; empty: those of `segments`
   SessionScope sessions = SessionScope::Own;
   double loop_height = 0;  ///< m; places further apart in height differ; 0: off
+  std::string truth;       ///< file; empty: the truth of the source
+  TruthMatch truth_match = TruthMatch::Interpolate;
+  double truth_offset = 0;  ///< s, added to the stamps of the images
+  std::string body;         ///< empty: the truth is of the camera
   static constexpr auto declaration() {
     using S = EvaluationSettings;
-    return parameters(parameter("alignment", &S::alignment)
+    return parameters(parameter("truth", &S::truth)
+                          .path()
+                          .doc("File with true poses for any source: TUM, KITTI, EuRoC or CSV "
+                               "with named columns; positions alone give position errors. "
+                               "Empty: the truth of the source."),
+                      parameter("truth_match", &S::truth_match)
+                          .doc("Truth at the time of an image: interpolated between two poses "
+                               "(never across a gap), or the nearest of both."),
+                      parameter("truth_offset", &S::truth_offset)
+                          .range(-1e6, 1e6)
+                          .unit("s")
+                          .doc("Added to the stamps of the images to find their true poses."),
+                      parameter("body", &S::body)
+                          .doc("Where the truth is measured, in the left camera: x,y,z (m) or "
+                               "x,y,z,qx,qy,qz,qw; estimate: found from the motions of both, "
+                               "with standard deviations. Empty: the camera."),
+                      parameter("alignment", &S::alignment)
                           .doc("Transformation that aligns the estimate with the ground truth."),
                       parameter("segments", &S::segments)
                           .doc("Path lengths for drift: kitti, 100 to 800 m; short, 5 to 50 m; "

@@ -71,6 +71,7 @@ void Assembly::add(std::unique_ptr<host::Instance> instance, const config::Stage
       source_ = std::make_unique<RectifiedSource>(
           std::move(instance), checked_.config.rectification, checked_.config.images);
       source_->judgeBy(*findings_);
+      source_->setTruth(truePath(stage.instance));
       break;
     case Role::Odometry:
       odometry_ = std::make_unique<host::OdometryStage>(std::move(instance));
@@ -89,6 +90,22 @@ void Assembly::add(std::unique_ptr<host::Instance> instance, const config::Stage
       observers_.push_back({host::ObserverStage(std::move(instance)), stage.on_failure});
       break;
   }
+}
+
+TruePath Assembly::truePath(const std::string& source) {
+  const config::EvaluationSettings& settings = checked_.config.evaluation;
+  const auto& values = checked_.values.find(source)->second;
+  const auto found = values.find("path");
+  const auto* folder = found == values.end() ? nullptr : std::get_if<std::string>(&found->second);
+  Result<TruePath> path = TruePath::open(settings, folder == nullptr ? "" : *folder);
+  if (path.isOk() || !settings.truth.empty()) {
+    require(path.status(), FailureKind::Dataset, "evaluation");
+    return std::move(path).value();
+  }
+  findings_->add("evaluation",
+                 {Finding::Severity::Error, "truth", path.status().message(),
+                  "correct the true poses, or remove the file", Finding::Kind::Damaged});
+  return {};
 }
 
 void Assembly::openArtefacts(const std::filesystem::path& run_directory) {

@@ -70,6 +70,7 @@ class Assembly {
   };
 
   void add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage);
+  TruePath truePath(const std::string& source);
 
   CheckedSystem checked_;
   SourceInfo info_;

@@ -234,6 +234,7 @@ InputPaths inputPaths(const config::SystemConfig& config, const config::StageVal
     }
   };
   if (!config.general.continue_from.empty()) add(config.general.continue_from, true);
+  if (!config.evaluation.truth.empty()) add(config.evaluation.truth, true);
   for (const config::StageConfig& stage : config.stages) {
     const auto schema = schemas.find(stage.instance);
     const auto own = values.find(stage.instance);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "engine/camera_check.hpp"
 #include "engine/rectified_view.hpp"
@@ -19,6 +20,8 @@ Status RectifiedSource::info(SourceInfo& info) {
   given_ = info.rig;
   if (status.isOk() && !raw_.cameras.empty()) status = prepare(info.rig);
   if (status.isOk()) status = prepareCut(info.rig);
+  if (info.has_truth) truth_.yieldToSource();
+  if (truth_.isGiven()) info.has_truth = true;
   for (const std::string& text : {text_, cutText()}) {
     if (status.isOk() && !text.empty()) info.description += "; " + text;
   }
@@ -66,6 +69,7 @@ Status RectifiedSource::prepare(CameraRig& rig) {
   }
   const RectifiedView& chosen = view.value();
   rig = chosen.rig;
+  truth_.rectify(chosen.R_rectified_raw.front());
   text_ = viewText(raw_, chosen);
   if (chosen.is_identity) return Status::ok();
   for (std::size_t i = 0; i < raw_.cameras.size(); ++i) {
@@ -78,6 +82,7 @@ Status RectifiedSource::next(Frame& frame) {
   Status status = SourceStage::next(frame);
   if (findings_ != nullptr) status = findings_->judge(status, frame.frame);
   if (!status.isOk()) return status;
+  if (truth_.applies()) addTruth(frame);
   if (left_only_) frame.right = {};
   if (maps_.empty() && cut_.isWhole()) return status;
   const auto begin = std::chrono::steady_clock::now();
@@ -85,6 +90,15 @@ Status RectifiedSource::next(Frame& frame) {
   const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - begin;
   rectifying_ns_ = took.count();
   return host::checkImages(frame, rig_);
+}
+
+void RectifiedSource::addTruth(Frame& frame) {
+  truth_.apply(frame);
+  if (std::exchange(checked_truth_, true) || findings_ == nullptr) return;
+  if (const std::string problem = truth_.clockProblem(frame); !problem.empty()) {
+    findings_->add("evaluation", {Finding::Severity::Warning, truth_.file().string(), problem,
+                                  "set evaluation.truth_offset", Finding::Kind::Contradiction});
+  }
 }
 
 void RectifiedSource::change(Frame& frame) const {

@@ -10,6 +10,7 @@
 #include "config/settings.hpp"
 #include "engine/findings.hpp"
 #include "engine/pixel_map.hpp"
+#include "engine/true_path.hpp"
 #include "host/stages.hpp"
 
 namespace tolman::engine {
@@ -31,6 +32,8 @@ class RectifiedSource : private host::SourceStage {
   Status next(Frame& frame);
   /// From now on next() fails after an error among these findings, unless `on_findings: continue`.
   void judgeBy(Findings& findings) { findings_ = &findings; }
+  /// The frames get their truth from here; before info().
+  void setTruth(TruePath truth) { truth_ = std::move(truth); }
   /// The raw cameras, after info(); none where the source gives rectified images.
   const RawRig& rawRig() const { return raw_; }
   /// Whether the source does not know its number of frames (a live source); after info().
@@ -48,6 +51,7 @@ class RectifiedSource : private host::SourceStage {
   Status prepare(CameraRig& rig);
   Status prepareCut(CameraRig& rig);
   void change(Frame& frame) const;
+  void addTruth(Frame& frame);
 
   config::RectificationSettings settings_;
   config::ImageSettings images_;
@@ -58,10 +62,12 @@ class RectifiedSource : private host::SourceStage {
   std::vector<PixelMap> maps_;  ///< one per camera; none: images are not rectified
   ImageCut cut_;
   std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
+  TruePath truth_;
   Findings* findings_ = nullptr;
   std::int64_t rectifying_ns_ = 0;
   bool is_endless_ = false;
-  bool left_only_ = false;  ///< the stages get only the left image of a raw pair
+  bool checked_truth_ = false;  ///< its clock
+  bool left_only_ = false;      ///< the stages get only the left image of a raw pair
 };
 
 }  // namespace tolman::engine

@@ -2,9 +2,9 @@
 #include "evaluation/alignment.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
-
-#include "tolman/geometry.hpp"
+#include <optional>
 
 namespace tolman::evaluation {
 namespace {
@@ -51,16 +51,36 @@ Umeyama umeyama(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& fallba
   return {svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose(), d.dot(s)};
 }
 
-/// The best rotation about the vertical axis (camera y), in closed form.
-Eigen::Matrix3d planarRotation(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& fallback) {
-  const double cosine = covariance(0, 0) + covariance(2, 2);
-  const double sine = covariance(0, 2) - covariance(2, 0);
-  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-  turn.linear() = fallback;
-  const bool open = std::hypot(cosine, sine) <= 0;
-  const double angle = open ? -toPlanar(turn).theta : std::atan2(sine, cosine);
-  return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
+/// The best rotation about an axis, in closed form: the one with the largest trace of R'
+/// covariance.
+Eigen::Matrix3d rotationAbout(const Eigen::Vector3d& axis, const Eigen::Matrix3d& covariance,
+                              const Eigen::Matrix3d& fallback) {
+  const auto angle = [&](const Eigen::Matrix3d& m) {
+    const Eigen::Vector3d twist(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
+    const double sine = axis.dot(twist), cosine = m.trace() - axis.dot(m * axis);
+    return std::hypot(cosine, sine) > 0 ? std::optional(std::atan2(sine, cosine)) : std::nullopt;
+  };
+  const auto found = angle(covariance);
+  return Eigen::AngleAxisd(found ? *found : angle(fallback).value_or(0), axis).toRotationMatrix();
 }
+
+/// The pairs centred on a point of each: its mean, or for Origin its first pose.
+struct Centred {
+  Centred(const Matches& matches, std::size_t count, bool at_first)
+      : truth(positions(matches.truth).leftCols(static_cast<Eigen::Index>(count))),
+        estimate(positions(matches.estimate).leftCols(static_cast<Eigen::Index>(count))) {
+    truth_centre = at_first ? Eigen::Vector3d(truth.col(0)) : truth.rowwise().mean();
+    estimate_centre = at_first ? Eigen::Vector3d(estimate.col(0)) : estimate.rowwise().mean();
+    truth.colwise() -= truth_centre;
+    estimate.colwise() -= estimate_centre;
+  }
+  Eigen::Matrix3d covariance() const { return truth * estimate.transpose(); }
+
+  Eigen::Matrix3Xd truth;
+  Eigen::Matrix3Xd estimate;
+  Eigen::Vector3d truth_centre;
+  Eigen::Vector3d estimate_centre;
+};
 
 }  // namespace
 
@@ -71,28 +91,36 @@ Eigen::Isometry3d Similarity::apply(const Eigen::Isometry3d& T_world_camera) con
   return T;
 }
 
-Result<Similarity> align(const Matches& matches, Alignment alignment) {
+Result<Similarity> align(const Matches& matches, const AlignmentRule& rule) {
+  const bool fits = rule.kind == Alignment::Sim3 || rule.scale == ScaleRule::Fit;
+  const std::size_t count = rule.first > 0 ? std::min(rule.first, matches.size()) : matches.size();
+  const Eigen::Matrix3d first = firstRotation(matches);
+  const Centred about_mean(matches, count, false);
+  const Umeyama best = umeyama(about_mean.covariance(), first);
+  Centred points = rule.kind == Alignment::Origin ? Centred(matches, count, true) : about_mean;
   Similarity similarity;
-  if (alignment == Alignment::None) return similarity;
-  const Eigen::Matrix3Xd truth = positions(matches.truth);
-  const Eigen::Matrix3Xd estimate = positions(matches.estimate);
-  const Eigen::Vector3d truth_mean = truth.rowwise().mean();
-  const Eigen::Vector3d estimate_mean = estimate.rowwise().mean();
-  const Eigen::Matrix3Xd centred = estimate.colwise() - estimate_mean;
-  const Eigen::Matrix3d covariance = (truth.colwise() - truth_mean) * centred.transpose();
-
-  if (alignment == Alignment::Se2) {
-    similarity.R = planarRotation(covariance, firstRotation(matches));
+  if (rule.kind == Alignment::None) {
+    points.truth.colwise() += points.truth_centre;
+    points.estimate.colwise() += points.estimate_centre;
+    points.truth_centre = points.estimate_centre = Eigen::Vector3d::Zero();
+  } else if (rule.kind == Alignment::Origin) {
+    similarity.R = first;
+  } else if (rule.kind == Alignment::Se3 || rule.kind == Alignment::Sim3) {
+    similarity.R = best.R;
   } else {
-    const Umeyama fit = umeyama(covariance, firstRotation(matches));
-    similarity.R = fit.R;
-    if (alignment == Alignment::Sim3) similarity.scale = fit.trace / centred.squaredNorm();
-    if (!std::isfinite(similarity.scale) || similarity.scale < 1e-12) {
-      return Status::invalidInput("no scale can be found: truth or estimate does not move");
-    }
+    similarity.R = rotationAbout(rule.vertical, points.covariance(), first);
   }
-  similarity.t = truth_mean - similarity.scale * (similarity.R * estimate_mean);
-  if (alignment == Alignment::Se2) similarity.t.y() = 0;
+  if (fits) {
+    const double products = similarity.R.cwiseProduct(points.covariance()).sum();
+    similarity.scale = products / points.estimate.squaredNorm();
+  } else if (rule.scale == ScaleRule::Sim3) {
+    similarity.scale = best.trace / about_mean.estimate.squaredNorm();
+  }
+  if (!std::isfinite(similarity.scale) || similarity.scale < 1e-12) {
+    return Status::invalidInput("no scale can be found: truth or estimate does not move");
+  }
+  similarity.t = points.truth_centre - similarity.scale * (similarity.R * points.estimate_centre);
+  if (rule.kind == Alignment::Se2) similarity.t.y() = 0;
   return similarity;
 }
 

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/association.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
+#include <tuple>
 
 namespace tolman::evaluation {
 namespace {
+
+/// Indices of two poses, of the truth and of the estimate.
+struct IndexPair {
+  std::size_t truth;
+  std::size_t estimate;
+};
+using IndexPairs = std::vector<IndexPair>;
 
 /// Whether poses `from` and `to` of the estimate have others between them that show a longer way
 /// than the straight line. The noise of a robot that stands is none.
@@ -23,104 +34,176 @@ bool isBent(const Trajectory& estimate, std::size_t from, std::size_t to) {
   return length - straight > std::max(kLonger * straight, kNoise);
 }
 
-/// `which`: of each matched pose in the whole estimate.
-std::vector<std::size_t> piecesOf(const Matches& matches, const Trajectory& estimate,
-                                  const std::vector<std::size_t>& which) {
-  std::vector<std::size_t> pieces(matches.size(), 0);
-  for (std::size_t i = 1; i < matches.size(); ++i) {
-    const bool carried = matches.truth[i].session != matches.truth[i - 1].session;
-    pieces[i] = pieces[i - 1] + (carried || isBent(estimate, which[i - 1], which[i]) ? 1 : 0);
+/// How many poses at the usual rate of the matches the truth has time for. Its own gaps count not.
+std::size_t expectedPoses(const Trajectory& truth, const Trajectory& matched) {
+  const auto step = static_cast<double>(medianStep(matched));
+  if (!(step > 0)) return truth.size();
+  const double longest = 2 * std::max(step, static_cast<double>(medianStep(truth)));
+  double poses = 1;
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    const auto gap = static_cast<double>(truth[i].stamp_ns - truth[i - 1].stamp_ns);
+    poses += gap <= longest ? gap / step : 1;
   }
-  return pieces;
+  return static_cast<std::size_t>(poses + 1e-6);
 }
 
-Result<Matches> checked(Matches matches, const Trajectory& truth, const Trajectory& estimate,
-                        const std::vector<std::size_t>& which, const std::string& rule) {
-  matches.piece = piecesOf(matches, estimate, which);
-  const std::vector<double> driven = distances(truth);
-  for (const std::size_t i : matches.index) matches.driven.push_back(driven[i]);
-  if (matches.size() > 0) return matches;
-  return Status::invalidInput("no pose of the estimate (" + std::to_string(estimate.size()) +
-                              ") matches one of the truth (" + std::to_string(matches.truth_total) +
-                              ") by " + rule + "; check that both are of the same run");
+std::size_t nearest(const Trajectory& path, std::int64_t stamp_ns) {
+  const auto after = std::ranges::lower_bound(path, stamp_ns, {}, &TrajectoryPose::stamp_ns);
+  const auto index = static_cast<std::size_t>(after - path.begin());
+  if (index == 0) return 0;
+  if (after == path.end()) return index - 1;
+  return after->stamp_ns - stamp_ns < stamp_ns - (after - 1)->stamp_ns ? index : index - 1;
 }
 
-std::int64_t difference(const TrajectoryPose& a, const TrajectoryPose& b) {
-  return std::abs(a.stamp_ns - b.stamp_ns);
-}
-
-/// The pose of the non-empty `truth` that is nearest in time.
-const TrajectoryPose& nearest(const Trajectory& truth, const TrajectoryPose& pose) {
-  const auto after = std::lower_bound(
-      truth.begin(), truth.end(), pose.stamp_ns,
-      [](const TrajectoryPose& candidate, std::int64_t ns) { return candidate.stamp_ns < ns; });
-  if (after == truth.begin()) return *after;
-  const auto before = std::prev(after);
-  if (after == truth.end()) return *before;
-  return difference(*after, pose) < difference(*before, pose) ? *after : *before;
-}
-
-std::int64_t medianStep(const Trajectory& trajectory) {
-  if (trajectory.size() < 2) return 0;
-  std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    steps.push_back(trajectory[i].stamp_ns - trajectory[i - 1].stamp_ns);
+/// As TUM's program finds it: of two equally near poses the one that is met first.
+std::size_t bisected(const Trajectory& path, std::int64_t stamp_ns) {
+  const auto apart = [&](std::size_t i) { return std::abs(path[i].stamp_ns - stamp_ns); };
+  std::size_t best = 0;
+  for (std::size_t low = 0, high = path.size(); low < high;) {
+    const std::size_t middle = (low + high) / 2;
+    if (apart(middle) < apart(best)) best = middle;
+    (path[middle].stamp_ns > stamp_ns ? high : low) =
+        path[middle].stamp_ns > stamp_ns ? middle : middle + 1;
   }
-  const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), median, steps.end());
-  return *median;
+  return best;
 }
+
+/// For each pose of `each` the nearest of `other`, by `find`: pairs of their indices.
+IndexPairs nearestOfEach(const Trajectory& each, const Trajectory& other, std::int64_t limit_ns,
+                         std::size_t (*find)(const Trajectory&, std::int64_t) = nearest) {
+  IndexPairs pairs;
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    const std::size_t k = find(other, each[i].stamp_ns);
+    if (std::abs(other[k].stamp_ns - each[i].stamp_ns) <= limit_ns) pairs.push_back({k, i});
+  }
+  return pairs;
+}
+
+/// All pairs within the limit, the nearest first; of those the ones that have no pose in common.
+IndexPairs oneToOne(const Trajectory& truth, const Trajectory& estimate, std::int64_t limit_ns) {
+  const auto apart = [&](const IndexPair& p) {
+    return std::abs(truth[p.truth].stamp_ns - estimate[p.estimate].stamp_ns);
+  };
+  IndexPairs all, pairs;
+  for (std::size_t i = 0, first = 0; i < estimate.size(); ++i) {
+    while (first < truth.size() && truth[first].stamp_ns < estimate[i].stamp_ns - limit_ns) ++first;
+    for (std::size_t k = first; k < truth.size() && apart({k, i}) <= limit_ns; ++k) {
+      all.push_back({k, i});
+    }
+  }
+  std::ranges::sort(all, {},
+                    [&](const IndexPair& p) { return std::tuple(apart(p), p.truth, p.estimate); });
+  std::vector<bool> has_truth(truth.size()), has_estimate(estimate.size());
+  for (const IndexPair& p : all) {
+    if (has_truth[p.truth] || has_estimate[p.estimate]) continue;
+    has_truth[p.truth] = has_estimate[p.estimate] = true;
+    pairs.push_back(p);
+  }
+  std::ranges::sort(pairs, {}, &IndexPair::truth);
+  return pairs;
+}
+
+IndexPairs byFrame(const Trajectory& truth, const Trajectory& estimate) {
+  IndexPairs pairs;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    while (k < truth.size() && truth[k].frame < estimate[i].frame) ++k;
+    if (k == truth.size()) break;
+    if (truth[k].frame == estimate[i].frame) pairs.push_back({k, i});
+  }
+  return pairs;
+}
+
+IndexPairs pairsOf(const Trajectory& truth, const Trajectory& estimate, const Matching& matching) {
+  switch (matching.rule) {
+    case MatchRule::Order:
+      return byFrame(truth, estimate);
+    case MatchRule::Nearest:
+      return oneToOne(truth, estimate, matching.limit_ns);
+    case MatchRule::Shorter: {
+      if (truth.size() >= estimate.size()) break;
+      IndexPairs pairs = nearestOfEach(truth, estimate, matching.limit_ns);
+      for (IndexPair& p : pairs) std::swap(p.truth, p.estimate);
+      return pairs;
+    }
+    case MatchRule::Each:
+      return nearestOfEach(estimate, truth, matching.limit_ns, bisected);
+    case MatchRule::Interpolate:
+      break;
+  }
+  return nearestOfEach(estimate, truth, matching.limit_ns);
+}
+
+/// Adds pairs; an interpolated truth where `matching` says so.
+class Collector {
+ public:
+  Collector(const Trajectory& truth, const Trajectory& estimate)
+      : truth_(truth), estimate_(estimate), driven_(distances(truth)) {}
+
+  void add(const PoseAt& at, std::size_t of_estimate) {
+    TrajectoryPose pose = truth_[at.before];
+    pose.T_world_camera = at.T_world_camera;
+    double driven = driven_[at.before];
+    if (at.share > 0) {
+      pose.stamp_ns = estimate_[of_estimate].stamp_ns;
+      driven += at.share * (driven_[at.before + 1] - driven);
+    }
+    const bool is_first = matches_.size() == 0;
+    const bool carried = !is_first && matches_.truth.back().session != pose.session;
+    const bool gap = !is_first && isBent(estimate_, last_, of_estimate);
+    matches_.piece.push_back(is_first ? 0 : matches_.piece.back() + (carried || gap ? 1 : 0));
+    matches_.truth.push_back(pose);
+    matches_.estimate.push_back(estimate_[of_estimate]);
+    matches_.index.push_back(at.before);
+    matches_.driven.push_back(driven);
+    last_ = of_estimate;
+  }
+
+  Result<Matches> result(const Matching& matching) && {
+    const bool by_order = matching.rule == MatchRule::Order;
+    if (matches_.size() > 0) {
+      matches_.truth_total =
+          by_order ? truth_.size()
+                   : std::max(matches_.size(), expectedPoses(truth_, matches_.estimate));
+      return std::move(matches_);
+    }
+    return Status::invalidInput(fmt::format(
+        "no pose of the estimate ({}) matches one of the truth ({}) by {}; check that both are of "
+        "the same run",
+        estimate_.size(), truth_.size(),
+        by_order ? "frame index" : fmt::format("stamp within {} ns", matching.limit_ns)));
+  }
+
+ private:
+  const Trajectory& truth_;
+  const Trajectory& estimate_;
+  std::vector<double> driven_;
+  std::size_t last_ = 0;  ///< index of the last matched estimate
+  Matches matches_;
+};
 
 }  // namespace
 
-Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& estimate) {
-  Matches matches;
-  matches.truth_total = truth.size();
-  std::vector<std::size_t> which;
-  auto candidate = truth.begin();
-  for (const TrajectoryPose& pose : estimate) {
-    while (candidate != truth.end() && candidate->frame < pose.frame) ++candidate;
-    if (candidate == truth.end()) break;
-    if (candidate->frame != pose.frame) continue;
-    matches.truth.push_back(*candidate);
-    matches.estimate.push_back(pose);
-    matches.index.push_back(static_cast<std::size_t>(candidate - truth.begin()));
-    which.push_back(static_cast<std::size_t>(&pose - estimate.data()));
-  }
-  return checked(std::move(matches), truth, estimate, which, "frame index");
-}
-
-Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& estimate,
-                                 std::int64_t max_difference_ns) {
-  Matches matches;
-  matches.truth_total = truth.size();
-  std::vector<std::size_t> which;
-  for (const TrajectoryPose& pose : estimate) {
-    if (truth.empty()) break;
-    const TrajectoryPose& candidate = nearest(truth, pose);
-    if (difference(candidate, pose) > max_difference_ns) continue;
-    if (matches.size() > 0 && matches.truth.back().frame == candidate.frame) {
-      if (difference(candidate, pose) < difference(candidate, matches.estimate.back())) {
-        matches.estimate.back() = pose;
-        which.back() = static_cast<std::size_t>(&pose - estimate.data());
-      }
-      continue;
-    }
-    matches.truth.push_back(candidate);
-    matches.estimate.push_back(pose);
-    matches.index.push_back(static_cast<std::size_t>(&candidate - truth.data()));
-    which.push_back(static_cast<std::size_t>(&pose - estimate.data()));
-  }
-  return checked(std::move(matches), truth, estimate, which,
-                 "stamp within " + std::to_string(max_difference_ns) + " ns");
-}
-
 Result<Matches> associate(const Trajectory& truth, const Trajectory& estimate,
-                          std::int64_t max_difference_ns) {
+                          const Matching& matching) {
   if (truth.empty()) return Status::invalidInput("there is no ground truth");
   if (estimate.empty()) return Status::invalidInput("there is no estimate");
-  return max_difference_ns < 0 ? associateByFrame(truth, estimate)
-                               : associateByStamp(truth, estimate, max_difference_ns);
+  Collector collector(truth, estimate);
+  if (matching.rule == MatchRule::Interpolate) {
+    for (std::size_t i = 0; i < estimate.size(); ++i) {
+      const auto at = poseAt(truth, estimate[i].stamp_ns, matching.limit_ns);
+      if (at) collector.add(*at, i);
+    }
+  } else {
+    for (const IndexPair& p : pairsOf(truth, estimate, matching)) {
+      collector.add({truth[p.truth].T_world_camera, p.truth, 0}, p.estimate);
+    }
+  }
+  return std::move(collector).result(matching);
+}
+
+Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& estimate) {
+  return associate(truth, estimate, {});
 }
 
 std::int64_t usualDifference(const Trajectory& truth, const Trajectory& estimate) {
@@ -129,6 +212,10 @@ std::int64_t usualDifference(const Trajectory& truth, const Trajectory& estimate
   const bool overlap = truth.front().stamp_ns <= estimate.back().stamp_ns &&
                        estimate.front().stamp_ns <= truth.back().stamp_ns;
   return overlap ? std::max(kLeast, std::min(medianStep(truth), medianStep(estimate)) / 2) : -1;
+}
+
+std::int64_t usualGap(const Trajectory& truth) {
+  return std::max<std::int64_t>(100'000'000, medianStep(truth) * 5 / 2);
 }
 
 }  // namespace tolman::evaluation

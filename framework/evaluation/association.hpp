@@ -3,7 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "evaluation/trajectory.hpp"
 #include "tolman/status.hpp"
@@ -14,13 +17,15 @@ namespace tolman::evaluation {
 struct Matches {
   Trajectory truth;
   Trajectory estimate;
-  std::vector<std::size_t> index;  ///< of truth[i] in the whole truth; ascending
+  std::vector<std::size_t> index;  ///< of truth[i], or the true pose before it, in the whole truth
   std::vector<double> driven;      ///< m: length of the whole true path up to truth[i]
   /// Number of the piece of the path that pair i belongs to. How far the robot drove from one piece
   /// to the next is not known: they are of different sessions, or the truth has a gap in which the
   /// estimate is over a tenth longer than the straight line.
   std::vector<std::size_t> piece;
-  std::size_t truth_total = 0;  ///< poses of the truth, matched or not
+  /// Poses that an estimate without gaps would have: by frame all of the truth; by stamp as many
+  /// as fit into the time of the truth at the usual rate of the matches.
+  std::size_t truth_total = 0;
 
   std::size_t size() const { return truth.size(); }
   bool inOnePiece(std::size_t from, std::size_t to) const { return piece[from] == piece[to]; }
@@ -31,21 +36,36 @@ struct Matches {
   }
 };
 
-/// Matches equal frame indices. InvalidInput when nothing matches.
-Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& estimate);
+enum class MatchRule : std::uint8_t {
+  Order,        ///< equal frame numbers
+  Nearest,      ///< nearest in time, the nearest pairs first, each pose once
+  Shorter,      ///< for each pose of the shorter file the nearest of the other, which may repeat
+  Each,         ///< for each estimate the nearest truth, which may repeat; of two equally near ones
+                ///< the one that a bisection meets first
+  Interpolate,  ///< the truth at the time of each estimate, between two of its poses
+};
+inline constexpr std::array<std::string_view, 5> kMatchRuleNames = {"order", "nearest", "shorter",
+                                                                    "each", "interpolate"};
+constexpr std::span<const std::string_view> enumNames(MatchRule) { return kMatchRuleNames; }
 
-/// Matches each estimate with the nearest truth in time, at most `max_difference_ns` away. If
-/// several estimates have the same truth, the nearest is kept. InvalidInput when nothing matches.
-Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& estimate,
-                                 std::int64_t max_difference_ns);
+struct Matching {
+  MatchRule rule = MatchRule::Order;
+  std::int64_t limit_ns = 0;  ///< largest difference; of Interpolate the longest gap of the truth
+};
 
-/// By stamp; by frame index where `max_difference_ns` < 0. InvalidInput says which is empty.
+/// InvalidInput says which of the two is empty, or that nothing matches.
 Result<Matches> associate(const Trajectory& truth, const Trajectory& estimate,
-                          std::int64_t max_difference_ns);
+                          const Matching& matching);
+/// By equal frame numbers.
+Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& estimate);
 
 /// How far apart in time poses may be that belong together, unless the user states it: half of the
 /// shorter usual step of the two, and at least 20 ms. -1, by frame index, if one of them has no
 /// stamps, or if their clocks have no moment in common.
 std::int64_t usualDifference(const Trajectory& truth, const Trajectory& estimate);
+
+/// The longest gap between two true poses over which they are interpolated, unless the user states
+/// it: 2.5 usual steps, at least 0.1 s.
+std::int64_t usualGap(const Trajectory& truth);
 
 }  // namespace tolman::evaluation

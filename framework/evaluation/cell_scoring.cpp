@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "evaluation/population_code.hpp"
+#include "evaluation/recorded_cells.hpp"
 
 namespace tolman::evaluation {
 namespace {

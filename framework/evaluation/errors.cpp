@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -14,26 +15,98 @@
 namespace tolman::evaluation {
 namespace {
 
-/// Collects the errors of single steps.
-class StepErrors {
- public:
-  void add(const Matches& matches, std::size_t from, std::size_t to, double divisor) {
-    const Eigen::Isometry3d truth = motion(matches.truth, from, to);
-    const Eigen::Isometry3d error = truth.inverse() * motion(matches.estimate, from, to);
-    translations_.push_back(error.translation().norm() / divisor);
-    rotations_.push_back(logSo3(error.linear()).norm() * 180 / std::numbers::pi / divisor);
-  }
-  RelativeError result() && {
-    return {statistics(std::move(translations_)), statistics(std::move(rotations_))};
-  }
+constexpr double kDegree = std::numbers::pi / 180;
+using StepPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
- private:
-  static Eigen::Isometry3d motion(const Trajectory& trajectory, std::size_t from, std::size_t to) {
-    return trajectory[from].T_world_camera.inverse() * trajectory[to].T_world_camera;
+Eigen::Isometry3d motionOf(const Trajectory& path, std::size_t from, std::size_t to) {
+  return path[from].T_world_camera.inverse() * path[to].T_world_camera;
+}
+double angleOf(const Eigen::Isometry3d& motion) { return logSo3(motion.linear()).norm() / kDegree; }
+
+/// What steps are measured in, summed up to each pair.
+std::vector<double> sumsOf(const Matches& matches, const Steps& steps) {
+  std::vector<double> sums;
+  const Trajectory& path = steps.of_truth ? matches.truth : matches.estimate;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const double before = i > 0 ? sums.back() : 0;
+    switch (steps.unit) {
+      case StepUnit::Frames:
+        sums.push_back(static_cast<double>(matches.estimate[i].frame));
+        break;
+      case StepUnit::Poses:
+        sums.push_back(static_cast<double>(i));
+        break;
+      case StepUnit::Seconds:
+        sums.push_back(1e-9 * static_cast<double>(matches.estimate[i].stamp_ns -
+                                                  matches.estimate[0].stamp_ns));
+        break;
+      case StepUnit::Metres:
+        sums.push_back(i == 0 ? 0 : before + motionOf(path, i - 1, i).translation().norm());
+        break;
+      case StepUnit::Degrees:
+        sums.push_back(i == 0 ? 0 : before + angleOf(motionOf(path, i - 1, i)));
+        break;
+    }
   }
-  std::vector<double> translations_;
-  std::vector<double> rotations_;
-};
+  if (steps.unit == StepUnit::Metres && steps.of_truth && !steps.over_gaps) return matches.driven;
+  return sums;
+}
+
+/// The pair where a step from `from` ends; none where the path is too short.
+std::optional<std::size_t> endOf(const std::vector<double>& sums, std::size_t from,
+                                 const Steps& steps) {
+  constexpr double kRounding = 1e-9;  // of the length
+  const double wanted = sums[from] + steps.length;
+  const bool is_closest = steps.end == StepEnd::Closest;
+  const auto begin = sums.begin() + static_cast<std::ptrdiff_t>(from) + (is_closest ? 0 : 1);
+  auto end = std::lower_bound(begin, sums.end(), wanted - kRounding * steps.length);
+  const bool counts = steps.unit == StepUnit::Frames || steps.unit == StepUnit::Poses;
+  if (!is_closest && counts && (end == sums.end() || *end != wanted)) return std::nullopt;
+  if (steps.end == StepEnd::First) {
+    if (end == sums.end()) return std::nullopt;
+    return static_cast<std::size_t>(end - sums.begin());
+  }
+  if (begin == sums.end()) return std::nullopt;
+  if (end == sums.end() || (end != begin && wanted - *(end - 1) <= *end - wanted)) --end;
+  if (steps.end == StepEnd::Closest) {
+    if (end + 1 == sums.end()) return std::nullopt;
+  } else if (std::fabs(*end - wanted) > 0.1 * steps.length * (1 + kRounding)) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(end - sums.begin());
+}
+
+/// Both ends of all steps whose direct angle is the length but for a tenth.
+StepPairs turnsOf(const Trajectory& path, double degrees) {
+  StepPairs pairs;
+  for (std::size_t from = 0; from < path.size(); ++from) {
+    for (std::size_t to = from + 1; to < path.size(); ++to) {
+      const double angle = angleOf(motionOf(path, from, to));
+      if (std::fabs(angle - degrees) <= 0.1 * degrees) pairs.emplace_back(from, to);
+    }
+  }
+  return pairs;
+}
+
+StepPairs stepPairs(const Matches& matches, const Steps& steps) {
+  if (steps.all && steps.unit == StepUnit::Degrees && steps.end == StepEnd::Tenth) {
+    return turnsOf(steps.of_truth ? matches.truth : matches.estimate, steps.length);
+  }
+  StepPairs pairs;
+  const std::vector<double> sums = sumsOf(matches, steps);
+  Steps consecutive = steps;
+  consecutive.end = StepEnd::First;
+  for (std::size_t from = 0; from < matches.size();) {
+    const auto to = endOf(sums, from, steps.all ? steps : consecutive);
+    if (to && (steps.over_gaps || matches.inOnePiece(from, *to))) pairs.emplace_back(from, *to);
+    if (!steps.all && !to) break;
+    from = steps.all ? from + 1 : *to;
+  }
+  // The path of consecutive steps in metres begins at the first end, as evo's does.
+  const bool skips = !steps.all && steps.unit == StepUnit::Metres && steps.end == StepEnd::Tenth;
+  if (skips && !pairs.empty()) pairs.erase(pairs.begin());
+  return pairs;
+}
 
 constexpr std::size_t kStartEvery = 10;
 constexpr double kLongestOvershoot = 0.1;  // of a segment's length
@@ -51,6 +124,31 @@ std::optional<double> lengthOf(const Matches& matches, std::size_t from, std::si
   if (matches.index[to] == matches.index[to - 1] + 1) return nominal;
   if (driven > (1 + kLongestOvershoot) * nominal) return std::nullopt;
   return driven;
+}
+
+/// Sums to means.
+SegmentMean divided(SegmentMean sums) {
+  const double count = std::max(1.0, static_cast<double>(sums.segments));
+  return {sums.length_m, sums.segments, sums.t_rel_percent / count,
+          sums.r_rel_deg_per_100m / count};
+}
+
+/// From each position to the nearest point of the path.
+std::vector<double> distancesToPath(const Trajectory& positions, const Trajectory& path) {
+  const Eigen::Matrix3Xd points = evaluation::positions(path);
+  const Eigen::Index edges = std::max<Eigen::Index>(1, points.cols() - 1);
+  const Eigen::Matrix3Xd ways = points.rightCols(edges) - points.leftCols(edges);
+  const Eigen::ArrayXd squares = ways.colwise().squaredNorm().transpose().array().max(1e-300);
+  std::vector<double> result;
+  for (const TrajectoryPose& pose : positions) {
+    const Eigen::Matrix3Xd to =
+        (-points.leftCols(edges)).colwise() + pose.T_world_camera.translation();
+    const Eigen::ArrayXd share =
+        (to.cwiseProduct(ways).colwise().sum().transpose().array() / squares).max(0.0).min(1.0);
+    const Eigen::Matrix3Xd apart = to - ways * share.matrix().asDiagonal();
+    result.push_back(std::sqrt(apart.colwise().squaredNorm().minCoeff()));
+  }
+  return result;
 }
 
 constexpr double kInside99 = 16.812;        // 99 % quantile of chi-squared, six degrees of freedom
@@ -101,31 +199,40 @@ Statistics absoluteError(const Matches& aligned, Direction direction) {
   return statistics(positionErrors(aligned, direction));
 }
 
-RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta) {
-  StepErrors errors;
-  std::size_t to = 0;
-  for (std::size_t from = 0; from < aligned.size(); ++from) {
-    const std::int64_t wanted = aligned.estimate[from].frame + delta;
-    while (to < aligned.size() && aligned.estimate[to].frame < wanted) ++to;
-    if (to == aligned.size()) break;
-    if (aligned.estimate[to].frame == wanted && aligned.inOnePiece(from, to)) {
-      errors.add(aligned, from, to, 1);
-    }
+std::vector<double> rotationErrors(const Matches& aligned) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < aligned.size(); ++i) {
+    values.push_back(
+        angleOf(aligned.estimate[i].T_world_camera.inverse() * aligned.truth[i].T_world_camera));
   }
-  return std::move(errors).result();
+  return values;
 }
 
-RelativeError relativeErrorOverDistance(const Matches& aligned, double length) {
-  StepErrors errors;
-  const std::vector<double>& distance = aligned.driven;
-  std::size_t to = 0;
-  for (std::size_t from = 0; from < aligned.size(); ++from) {
-    while (to < aligned.size() && distance[to] - distance[from] < length) ++to;
-    if (to == aligned.size()) break;
-    if (!aligned.inOnePiece(from, to)) continue;
-    errors.add(aligned, from, to, distance[to] - distance[from]);
+PathDistance pathDistance(const Trajectory& truth, const Trajectory& aligned) {
+  PathDistance result;
+  std::vector<double> there = distancesToPath(aligned, truth);
+  const std::vector<double> back = distancesToPath(truth, aligned);
+  result.hausdorff_m = std::max(std::ranges::max(there), std::ranges::max(back));
+  result.to_truth_m = statistics(std::move(there));
+  return result;
+}
+
+RelativeError relativeError(const Matches& aligned, const Steps& steps) {
+  std::vector<double> translations, rotations, lengths, percents;
+  for (const auto& [from, to] : stepPairs(aligned, steps)) {
+    const Eigen::Isometry3d truth = motionOf(aligned.truth, from, to);
+    const Eigen::Isometry3d estimate = motionOf(aligned.estimate, from, to);
+    const Eigen::Isometry3d error =
+        steps.in_end_frame ? truth * estimate.inverse() : truth.inverse() * estimate;
+    const double divisor = steps.divided ? aligned.driven[to] - aligned.driven[from] : 1;
+    translations.push_back(error.translation().norm() / divisor);
+    rotations.push_back(angleOf(error) / divisor);
+    const double length = truth.translation().norm();
+    lengths.push_back(std::fabs(estimate.translation().norm() - length));
+    if (length > 0) percents.push_back(100 * lengths.back() / length);
   }
-  return std::move(errors).result();
+  return {statistics(std::move(translations)), statistics(std::move(rotations)),
+          statistics(std::move(lengths)), statistics(std::move(percents))};
 }
 
 SegmentLengths kittiLengths() { return {"kitti", {100, 200, 300, 400, 500, 600, 700, 800}}; }
@@ -136,36 +243,44 @@ SegmentLengths lengthsFor(double truth_path_length_m) {
   return truth_path_length_m >= 200 ? kittiLengths() : shortLengths();
 }
 
-SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths) {
+SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths,
+                            const Trajectory* whole_truth) {
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   SegmentErrors result;
   result.lengths = lengths;
-  double translation = 0;  // sum of errors, m per m
-  double rotation = 0;     // rad/m
-  const std::vector<double>& distance = matches.driven;
-  for (std::size_t from = 0; from < matches.size(); from += kStartEvery) {
-    for (const double nominal : lengths.lengths_m) {
-      const auto end = std::upper_bound(distance.begin(), distance.end(), distance[from] + nominal);
-      if (end == distance.end()) continue;
-      const auto to = static_cast<std::size_t>(end - distance.begin());
-      const auto length = lengthOf(matches, from, to, nominal);
+  const std::vector<double> driven = whole_truth ? distances(*whole_truth) : matches.driven;
+  std::vector<std::size_t> pair(driven.size(), kNone);  // of each place where segments begin or end
+  for (std::size_t i = 0; i < matches.size(); ++i) pair[whole_truth ? matches.index[i] : i] = i;
+  SegmentMean all;
+  for (const double nominal : lengths.lengths_m) {
+    SegmentMean mean{nominal, 0, 0, 0};
+    for (std::size_t start = 0; start < driven.size(); start += kStartEvery) {
+      const auto end = std::upper_bound(driven.begin(), driven.end(), driven[start] + nominal);
+      if (end == driven.end()) break;
+      const std::size_t from = pair[start],
+                        to = pair[static_cast<std::size_t>(end - driven.begin())];
+      const auto length = from == kNone || to == kNone ? std::nullopt
+                          : whole_truth                ? std::optional(nominal)
+                                                       : lengthOf(matches, from, to, nominal);
       if (!length) {
         ++result.segments_in_gaps;
         continue;
       }
-      const Eigen::Isometry3d truth =
-          matches.truth[from].T_world_camera.inverse() * matches.truth[to].T_world_camera;
-      const Eigen::Isometry3d estimate =
-          matches.estimate[from].T_world_camera.inverse() * matches.estimate[to].T_world_camera;
-      const Eigen::Isometry3d error = estimate.inverse() * truth;
-      translation += error.translation().norm() / *length;
-      rotation += logSo3(error.linear()).norm() / *length;
-      ++result.segments;
+      const Eigen::Isometry3d error =
+          motionOf(matches.estimate, from, to).inverse() * motionOf(matches.truth, from, to);
+      mean.t_rel_percent += 100 * error.translation().norm() / *length;
+      mean.r_rel_deg_per_100m += 100 * angleOf(error) / *length;
+      ++mean.segments;
     }
+    all.segments += mean.segments;
+    all.t_rel_percent += mean.t_rel_percent;
+    all.r_rel_deg_per_100m += mean.r_rel_deg_per_100m;
+    result.table.push_back(divided(mean));
   }
-  if (result.segments == 0) return result;
-  const auto count = static_cast<double>(result.segments);
-  result.t_rel_percent = 100 * translation / count;
-  result.r_rel_deg_per_100m = 100 * rotation / count * 180 / std::numbers::pi;
+  all = divided(all);
+  result.segments = all.segments;
+  result.t_rel_percent = all.t_rel_percent;
+  result.r_rel_deg_per_100m = all.r_rel_deg_per_100m;
   return result;
 }
 

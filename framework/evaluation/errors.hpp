@@ -39,19 +39,46 @@ std::vector<double> positionErrors(const Matches& aligned, Direction direction =
 /// Statistics of positionErrors().
 Statistics absoluteError(const Matches& aligned, Direction direction = Direction::All);
 
+/// Angles between matched orientations, degrees.
+std::vector<double> rotationErrors(const Matches& aligned);
+
+/// Distances without regard to time, m: from each position to the nearest point of the other path.
+struct PathDistance {
+  Statistics to_truth_m;   ///< from the poses of the estimate to the true path
+  double hausdorff_m = 0;  ///< the largest distance, in either direction
+};
+PathDistance pathDistance(const Trajectory& truth, const Trajectory& aligned);
+
 /// The error of motion over a step: |T_truth^-1 T_estimate| of matched motions.
 struct RelativeError {
   Statistics translation_m;
   Statistics rotation_deg;
+  Statistics length_m;        ///< difference of the straight distances
+  Statistics length_percent;  ///< the same, of the true distance
 };
 
-/// Over steps of `delta` frames (by the estimate's frame indices; missing frames give no pair, and
-/// neither does the step from one session to the next).
-RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta = 1);
-
-/// Over steps of at least `length` metres of the true path, one from each pose, within one
-/// session; errors are divided by the length of the step and so are per metre.
-RelativeError relativeErrorOverDistance(const Matches& aligned, double length = 1);
+enum class StepUnit : std::uint8_t { Frames, Poses, Seconds, Metres, Degrees };
+/// Where a step ends that begins at a given pair.
+enum class StepEnd : std::uint8_t {
+  First,    ///< at the first pair that is far enough
+  Tenth,    ///< at the pair nearest to the length, at most a tenth of it away
+  Closest,  ///< at the pair nearest to the length, be it the first itself; not at the last one
+};
+/// Over which steps motions are compared.
+struct Steps {
+  double length = 1;
+  StepUnit unit = StepUnit::Frames;
+  StepEnd end = StepEnd::First;
+  bool all = true;            ///< a step from each pair; else each begins where the last one ended
+  bool of_truth = true;       ///< metres and degrees are those of the truth, else of the estimate
+  bool over_gaps = false;     ///< also from one piece of the path to the next, by the straight line
+  bool divided = false;       ///< errors are divided by the length of the true path
+  bool in_end_frame = false;  ///< the difference of translations is seen from the end of the step
+};
+/// Frames are those of the estimate: missing ones give no pair. Poses count the matched ones.
+/// Metres and degrees are summed from pair to pair; with Tenth, degrees are the angle between both
+/// ends, and all ends within the tenth count.
+RelativeError relativeError(const Matches& aligned, const Steps& steps);
 
 /// A named list of lengths, so that errors over short segments are not mistaken for KITTI's.
 struct SegmentLengths {
@@ -66,6 +93,14 @@ SegmentLengths shortLengths();
 /// kittiLengths() for paths of at least 200 m, else shortLengths().
 SegmentLengths lengthsFor(double truth_path_length_m);
 
+/// The mean errors over one length, or over all of them.
+struct SegmentMean {
+  double length_m = 0;
+  std::size_t segments = 0;
+  double t_rel_percent = 0;  ///< translation error per length
+  double r_rel_deg_per_100m = 0;
+};
+
 struct SegmentErrors {
   SegmentLengths lengths;    ///< the requested lengths
   std::size_t segments = 0;  ///< how many were measured; 0: the path is too short, no figures
@@ -73,6 +108,7 @@ struct SegmentErrors {
                                      ///< another piece of the path
   double t_rel_percent = 0;          ///< mean translation error per length
   double r_rel_deg_per_100m = 0;
+  std::vector<SegmentMean> table;  ///< by length
 };
 
 /// As in the benchmark's own program: a segment starts at every 10th matched frame and ends at the
@@ -80,7 +116,10 @@ struct SegmentErrors {
 /// Where true poses before that end have no estimate, errors are divided by the segment's true
 /// length, and segments more than a tenth too long are left out. So are segments that end in
 /// another piece of the path than they begin in (Matches::piece).
-SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths);
+/// `whole_truth`: starts and ends are poses of this truth instead, and segments with an end
+/// without estimate are left out.
+SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths,
+                            const Trajectory* whole_truth = nullptr);
 
 struct MotionConsistency {
   std::size_t motions = 0;             ///< tracked motions in metres, with truth at both ends

@@ -101,6 +101,7 @@ Json toJson(const Metrics& metrics) {
                {"sessions", sessionsJson(metrics)},
                {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},
                {"timing", timingJson(metrics.timing)}};
+  if (metrics.body) json["body"] = toJson(*metrics.body);
   if (!metrics.no_cells.empty()) json["cells_reason"] = metrics.no_cells;
   return json;
 }

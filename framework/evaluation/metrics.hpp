@@ -12,6 +12,7 @@
 #include "evaluation/cell_scoring.hpp"
 #include "evaluation/loops.hpp"
 #include "evaluation/score.hpp"
+#include "evaluation/truth_sensor.hpp"
 #include "tolman/records.hpp"
 
 namespace tolman::evaluation {
@@ -54,6 +55,7 @@ struct Metrics {
   std::int64_t templates = 0;
   MapCounts counts;
   std::optional<LoopFigures> loops;  ///< none without truth
+  std::optional<Extrinsic> body;     ///< of the truth, if `evaluation.body: estimate` found it
   std::string truth_sha256;          ///< of the true poses; empty without truth
   std::map<std::string, StageTiming> timing;
   std::int64_t parts = 0;  ///< connected parts of the map

@@ -74,6 +74,14 @@ class Breaks {
     return text;
   }
 
+  std::vector<std::size_t> restarts() const {
+    std::vector<std::size_t> pairs;
+    for (std::size_t i = 0; i < scores_.size(); ++i) {
+      if (restartsIn(i)) pairs.push_back(at(i).last);
+    }
+    return pairs;
+  }
+
   /// The longest run of stretches in which the truth (or the estimate) stands while the other
   /// moves.
   std::string standing(bool is_truth, std::size_t fewest) const {
@@ -151,7 +159,6 @@ class Breaks {
   const char* causeOf(std::size_t i) const {
     const auto truth = [](const Stretch& s) { return length(s.truth); };
     const auto turn = [](const Stretch& s) { return angle(s.truth); };
-    const auto estimate = [](const Stretch& s) { return length(s.estimate); };
     const bool is_jump =
         scores_[i] < -kOutlier && truth(at(i)) > kTimes * usual_ && isAlone(i, truth);
     const bool is_turn = turns_[i] > kOutlier && turn(at(i)) > kTimes * angle(at(i).estimate);
@@ -159,12 +166,16 @@ class Breaks {
       return "the truth jumps. Is a pose missing or wrong, or are its parts of different drives? "
              "All errors are wrong if so";
     }
-    const double back = distance(matches_.estimate, 0, at(i).last);
-    const bool is_restart = scores_[i] > kOutlier && estimate(at(i)) > kTimes * scale_ * usual_ &&
-                            back < kStill * estimate(at(i)) && isAlone(i, estimate);
-    if (!is_restart) return nullptr;
+    if (!restartsIn(i)) return nullptr;
     return "the estimate starts again at its origin. Score its parts one by one; errors over both "
            "say nothing";
+  }
+
+  bool restartsIn(std::size_t i) const {
+    const auto estimate = [](const Stretch& s) { return length(s.estimate); };
+    const double way = estimate(at(i));
+    return scores_[i] > kOutlier && way > kTimes * scale_ * usual_ &&
+           distance(matches_.estimate, 0, at(i).last) < kStill * way && isAlone(i, estimate);
   }
 
   bool stands(std::size_t i, bool is_truth) const {
@@ -218,6 +229,10 @@ StepSeries stepSeries(const Matches& matches, std::size_t steps) {
     series.turn.push_back(angle(each.truth.inverse() * each.estimate));
   }
   return series;
+}
+
+std::vector<std::size_t> restartsOf(const Matches& matches) {
+  return Breaks(matches, 1).restarts();
 }
 
 std::vector<std::string> breaksOf(const Matches& matches) {

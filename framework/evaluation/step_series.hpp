@@ -43,4 +43,7 @@ StepSeries stepSeries(const Matches& matches, std::size_t steps);
 /// noise.
 std::vector<std::string> breaksOf(const Matches& matches);
 
+/// The pairs at which the estimate starts again at its origin, as after a loss of tracking.
+std::vector<std::size_t> restartsOf(const Matches& matches);
+
 }  // namespace tolman::evaluation

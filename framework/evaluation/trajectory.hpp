@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace tolman::evaluation {
@@ -21,6 +23,28 @@ using Trajectory = std::vector<TrajectoryPose>;
 
 /// Whether times are known: KITTI files have none, and all their stamps are 0.
 bool hasStamps(const Trajectory& trajectory);
+/// Whether orientations are known: files with positions alone leave them all equal.
+bool hasOrientations(const Trajectory& trajectory);
+
+/// Median of the times between poses, ns (of an even number of them the smaller middle one).
+std::int64_t medianStep(const Trajectory& trajectory);
+
+/// The pose at a time: between two poses positions are linear, rotations spherically linear
+/// (slerp).
+struct PoseAt {
+  Eigen::Isometry3d T_world_camera;
+  std::size_t before = 0;  ///< index of the pose at or before this time
+  double share = 0;        ///< of the way from it to the next one
+};
+/// None before the first and after the last pose, and inside gaps longer than `longest_gap_ns`.
+std::optional<PoseAt> poseAt(
+    const Trajectory& trajectory, std::int64_t stamp_ns,
+    std::int64_t longest_gap_ns = std::numeric_limits<std::int64_t>::max());
+
+/// T times each pose: the trajectory seen from another world.
+Trajectory movedBy(const Eigen::Isometry3d& T, Trajectory trajectory);
+/// Each pose times T: the trajectory of another body on the same vehicle.
+Trajectory ofBody(Trajectory trajectory, const Eigen::Isometry3d& T_camera_body);
 
 /// One column per pose, m.
 Eigen::Matrix3Xd positions(const Trajectory& trajectory);

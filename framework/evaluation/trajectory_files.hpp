@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads trajectory files, TUM and KITTI. Errors are InvalidInput and start with file:line.
+// Reads trajectory files: TUM, KITTI, KITTI-360, EuRoC, and tables with named columns. Errors are
+// InvalidInput and start with file:line.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +10,14 @@
 
 namespace tolman::evaluation {
 
-/// The first line with numbers determines the format: eight numbers are TUM, twelve are KITTI. A
-/// byte order mark at the begin of the file is ignored.
+/// A line of names before the numbers names the columns ("stamp_ns, x, y, z, qw, ..."; a comment
+/// does so if it has as many). Without it their count determines the format: 8 are TUM (stamp, s;
+/// position, m; quaternion, w last), 12 KITTI (rows of T_world_camera), 4 a stamp and a position,
+/// 13 and 17 a frame and its matrix (KITTI-360). Stamps of 16 and more digits are ns, as in EuRoC's
+/// tables, where w comes first.
 ///
-/// TUM: lines `stamp tx ty tz qx qy qz qw` (s, m), '#' starts a comment. Frames are counted from 0
-/// over the lines with poses. Stamps must grow; decimal stamps are read exactly to the nanosecond.
-///
-/// KITTI: the upper 3x4 of T_world_camera row by row. Frame = line from 0; stamps are unknown and
-/// 0.
+/// Stamps must grow; they are read exactly to the nanosecond. Without frames, these are counted
+/// from 0; without stamps, these are 0. Positions alone have equal orientations.
 Result<Trajectory> readTrajectory(const std::filesystem::path& file);
 
 }  // namespace tolman::evaluation

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/truth_sensor.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "base/number_text.hpp"
+#include "base/text_file.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::evaluation {
 namespace {
 
 using Motions = std::vector<Stretch>;
+constexpr std::int64_t kNanoseconds = 1'000'000'000;  // of a second, or of a frame
+
+/// The orthogonal matrix R of this determinant, 1 or -1, with the largest trace of products R'
+/// (Arun et al. 1987).
+Eigen::Matrix3d bestOrthogonal(const Eigen::Matrix3d& products, double determinant) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() * determinant < 0) u.col(2) *= -1;
+  return u * svd.matrixV().transpose();
+}
 
 /// (R - I) arm = truth - estimate for each motion; R and both translations in camera axes.
 Extrinsic armOf(const Motions& motions) {
@@ -58,19 +74,16 @@ Extrinsic axesAndArm(const Motions& motions) {
   return extrinsic;
 }
 
-double timeOf(const TrajectoryPose& pose, bool in_frames) {
-  return in_frames ? static_cast<double>(pose.frame) : 1e-9 * static_cast<double>(pose.stamp_ns);
-}
-
 /// Mean squared difference of the angles of turns, rad^2, with the truth `offset` later.
 double turnsApart(const TruthOverTime& truth, const Motions& motions, double offset) {
   double sum = 0;
   std::size_t count = 0;
   for (const Stretch& each : motions) {
-    const auto from = truth.at(truth.timeOfPair(each.first) + offset);
-    const auto to = truth.at(truth.timeOfPair(each.last) + offset);
+    const auto from = truth.at(each.first, offset);
+    const auto to = truth.at(each.last, offset);
     if (!from || !to) continue;
-    const double turn = logSo3(from->linear().transpose() * to->linear()).norm();
+    const double turn =
+        logSo3((from->T_world_camera.inverse() * to->T_world_camera).linear()).norm();
     const double apart = turn - logSo3(each.estimate.linear()).norm();
     sum += apart * apart;
     ++count;
@@ -79,13 +92,6 @@ double turnsApart(const TruthOverTime& truth, const Motions& motions, double off
 }
 
 }  // namespace
-
-Eigen::Matrix3d bestOrthogonal(const Eigen::Matrix3d& products, double determinant) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() * determinant < 0) u.col(2) *= -1;
-  return u * svd.matrixV().transpose();
-}
 
 Eigen::Matrix3d bestAxes(const Motions& motions, double determinant) {
   Eigen::Matrix3d ways = Eigen::Matrix3d::Zero(), turns = ways;
@@ -137,33 +143,84 @@ Extrinsic extrinsicOf(const Matches& matches, bool with_axes) {
   return *best;
 }
 
-TruthOverTime::TruthOverTime(const Trajectory& truth, const Matches& matches, bool by_stamp)
-    : truth_(truth), in_frames_(!hasStamps(truth)) {
-  const double origin = timeOf(truth.front(), in_frames_);
-  const auto since = [&](const Trajectory& path) {
-    std::vector<double> times;
-    for (const TrajectoryPose& pose : path) times.push_back(timeOf(pose, in_frames_) - origin);
-    return times;
+Result<Extrinsic> parseBody(const std::string& text) {
+  const auto refuse = [] {
+    return Status::invalidParameter(
+        "give x,y,z in m or x,y,z,qx,qy,qz,qw with a quaternion of length 1, or estimate");
   };
-  times_ = since(truth);
-  pairs_ = since(by_stamp && !in_frames_ ? matches.estimate : matches.truth);
+  std::vector<double> values;
+  for (const std::string_view word : text_encoding::splitFields(text)) {
+    const auto value = text_encoding::parseNumber(word);
+    if (!value) return refuse();
+    values.push_back(*value);
+  }
+  if (values.size() != 3 && values.size() != 7) return refuse();
+  Extrinsic body;
+  body.arm = {values[0], values[1], values[2]};
+  if (values.size() == 3) return body;
+  const Eigen::Quaterniond q(values[6], values[3], values[4], values[5]);
+  if (std::fabs(q.norm() - 1) > 0.01) return refuse();
+  body.R = q.normalized().toRotationMatrix();
+  return body;
 }
 
-std::optional<Eigen::Isometry3d> TruthOverTime::at(double time) const {
-  const auto after = std::ranges::upper_bound(times_, time);
-  if (after == times_.begin() || time > times_.back()) return std::nullopt;
-  const auto i = std::min(static_cast<std::size_t>(after - times_.begin()), times_.size() - 1);
-  const double part = (time - times_[i - 1]) / (times_[i] - times_[i - 1]);
-  const Eigen::Isometry3d& a = truth_[i - 1].T_world_camera;
-  const Eigen::Isometry3d& b = truth_[i].T_world_camera;
-  Eigen::Isometry3d between = Eigen::Isometry3d::Identity();
-  between.linear() =
-      Eigen::Quaterniond(a.linear()).slerp(part, Eigen::Quaterniond(b.linear())).toRotationMatrix();
-  between.translation() = (1 - part) * a.translation() + part * b.translation();
-  return between;
+std::string armText(const Extrinsic& extrinsic) {
+  std::vector<std::string> parts;
+  for (int i = 0; i < 3; ++i) {
+    const bool is_known = std::isfinite(extrinsic.sigma[i]);
+    const bool is_given = extrinsic.sigma.isZero();
+    parts.push_back(!is_known ? "unknown"
+                    : is_given
+                        ? fmt::format("{:.3g}", extrinsic.arm[i])
+                        : fmt::format("{:.2f} +- {:.2f}", extrinsic.arm[i], extrinsic.sigma[i]));
+  }
+  return fmt::format("({}) m in the camera (x right, y down, z forward)", fmt::join(parts, ", "));
 }
 
-std::optional<double> clockOffset(const TruthOverTime& truth, const Matches& matches) {
+nlohmann::ordered_json toJson(const Extrinsic& body) {
+  nlohmann::ordered_json arm, sigma;
+  for (int i = 0; i < 3; ++i) {
+    const bool is_known = std::isfinite(body.sigma[i]);
+    arm.push_back(is_known ? nlohmann::ordered_json(body.arm[i]) : nullptr);
+    sigma.push_back(is_known ? nlohmann::ordered_json(body.sigma[i]) : nullptr);
+  }
+  const Eigen::Quaterniond q(body.R);
+  return {{"arm_m", arm}, {"sigma_m", sigma}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+}
+
+std::optional<Extrinsic> bodyOf(const Matches& matches) {
+  constexpr double kTurned = 10 * std::numbers::pi / 180;
+  constexpr std::size_t kFewest = 20;  // poses
+  if (matches.size() < kFewest || !hasOrientations(matches.truth)) return std::nullopt;
+  const Extrinsic body = extrinsicOf(matches, true);
+  return logSo3(body.R).norm() > kTurned ? body : extrinsicOf(matches, false);
+}
+
+TruthOverTime::TruthOverTime(Trajectory truth, const Matches& matches, bool by_stamp)
+    : in_frames_(!hasStamps(truth)), truth_(std::move(truth)) {
+  const auto stampOf = [&](const TrajectoryPose& pose) {
+    return in_frames_ ? pose.frame * kNanoseconds : pose.stamp_ns;
+  };
+  for (TrajectoryPose& pose : truth_) pose.stamp_ns = stampOf(pose);
+  for (const auto& pose : by_stamp && !in_frames_ ? matches.estimate : matches.truth) {
+    pairs_.push_back(stampOf(pose));
+  }
+}
+
+double TruthOverTime::periodOfPairs() const {
+  return static_cast<double>(pairs_.back() - pairs_.front()) / kNanoseconds /
+         static_cast<double>(pairs_.size());
+}
+
+double TruthOverTime::duration() const {
+  return static_cast<double>(truth_.back().stamp_ns - truth_.front().stamp_ns) / kNanoseconds;
+}
+
+std::optional<PoseAt> TruthOverTime::at(std::size_t i, double offset) const {
+  return poseAt(truth_, pairs_[i] + std::llround(offset * kNanoseconds));
+}
+
+std::optional<ClockOffset> clockOffset(const TruthOverTime& truth, const Matches& matches) {
   constexpr double kSeconds = 2, kFrames = 20;  // largest offset
   constexpr std::size_t kMost = 1000;           // motions
   constexpr std::size_t kFewest = 10;
@@ -185,13 +242,20 @@ std::optional<double> clockOffset(const TruthOverTime& truth, const Matches& mat
         turnsApart(truth, motions, low + third) < turnsApart(truth, motions, high - third);
     (is_low ? high : low) += is_low ? -third : third;
   }
-  return (low + high) / 2;
+  best = (low + high) / 2;
+  // The curvature of the sum of squares at its minimum gives the variance.
+  const double left = turnsApart(truth, motions, best);
+  const double curvature = (turnsApart(truth, motions, best - step) +
+                            turnsApart(truth, motions, best + step) - 2 * left) /
+                           (step * step);
+  const auto count = static_cast<double>(motions.size());
+  return ClockOffset{best, std::sqrt(2 * left / (count * std::max(curvature, 1e-300)))};
 }
 
 Matches delayed(const TruthOverTime& truth, Matches matches, double offset) {
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const auto pose = truth.at(truth.timeOfPair(i) + offset);
-    if (pose) matches.truth[i].T_world_camera = *pose;
+    const auto pose = truth.at(i, offset);
+    if (pose) matches.truth[i].T_world_camera = pose->T_world_camera;
     if (!pose) matches.estimate[i].tracked = false;
   }
   return matches;

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "evaluation/step_series.hpp"
@@ -16,14 +18,23 @@ struct Extrinsic {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< from the axes of the body to the camera's
   Eigen::Vector3d arm = Eigen::Vector3d::Zero();    ///< m, of the truth's point in the camera
   Eigen::Vector3d sigma = Eigen::Vector3d::Zero();  ///< m; infinite where the path does not turn
+
+  /// T_camera_body
+  Eigen::Isometry3d pose() const { return Eigen::Translation3d(arm) * Eigen::Quaterniond(R); }
 };
+/// "x,y,z" (m) or "x,y,z,qx,qy,qz,qw", without sigmas. InvalidParameter for others.
+Result<Extrinsic> parseBody(const std::string& text);
+/// "(0.20 +- 0.01, 0.76 +- 0.09, unknown) m in the camera (x right, y down, z forward)".
+std::string armText(const Extrinsic& extrinsic);
+/// Null where not known.
+nlohmann::ordered_json toJson(const Extrinsic& body);
 /// From relative motions over a few frames: absolute poses, with their drift, give a wrong arm.
 /// `with_axes`: R is estimated as well, else it is the identity.
 Extrinsic extrinsicOf(const Matches& matches, bool with_axes);
+/// With its axes if they differ from those of the camera by more than odometry's errors. None
+/// where too few poses match, or the truth does not turn.
+std::optional<Extrinsic> bodyOf(const Matches& matches);
 
-/// The orthogonal matrix R of this determinant, 1 or -1, with the largest trace of products R'
-/// (Arun et al. 1987).
-Eigen::Matrix3d bestOrthogonal(const Eigen::Matrix3d& products, double determinant = 1);
 /// The matrix of this determinant that takes the motions of the truth's body to those of the camera
 /// best.
 Eigen::Matrix3d bestAxes(const std::vector<Stretch>& motions, double determinant);
@@ -36,33 +47,32 @@ std::vector<Stretch> shifted(std::vector<Stretch> motions, const Eigen::Vector3d
 /// Numbers of steps over which motions are compared: of a 400th, a 100th and a 25th of the path.
 std::vector<std::size_t> stepCounts(const Matches& matches);
 
-/// The truth at and between its poses. Times are s since its first pose, or frames where it has no
-/// stamps.
+/// The true poses at the times of the pairs. Times are s, or frames where the truth has no stamps.
 class TruthOverTime {
  public:
   /// `by_stamp`: estimates have their own stamps, else those of the true poses they are matched
   /// with. `truth` is whole; the matches have some of its poses.
-  TruthOverTime(const Trajectory& truth, const Matches& matches, bool by_stamp);
+  TruthOverTime(Trajectory truth, const Matches& matches, bool by_stamp);
   bool inFrames() const { return in_frames_; }
-  double periodOfPairs() const {
-    return (pairs_.back() - pairs_.front()) / static_cast<double>(pairs_.size());
-  }
-  double duration() const { return times_.back(); }
-  double timeOfPair(std::size_t i) const { return pairs_[i]; }
-  /// Interpolated; none before the first and after the last true pose.
-  std::optional<Eigen::Isometry3d> at(double time) const;
+  double periodOfPairs() const;
+  double duration() const;
+  /// The truth `offset` after pair `i`; none before its first and after its last pose.
+  std::optional<PoseAt> at(std::size_t i, double offset) const;
 
  private:
-  const Trajectory& truth_;
   bool in_frames_;
-  std::vector<double> times_;
-  std::vector<double> pairs_;
+  Trajectory truth_;                 ///< stamps are frames * 1e9 where it has none
+  std::vector<std::int64_t> pairs_;  ///< ns
 };
 
+struct ClockOffset {
+  double seconds = 0;  ///< or frames
+  double sigma = 0;
+};
 /// What to add to the time of an estimated pose to find the time at which the truth turns as it
 /// does. From the rates of turning: the offset with the smallest ATE depends on drift. None where
 /// there are too few motions.
-std::optional<double> clockOffset(const TruthOverTime& truth, const Matches& matches);
+std::optional<ClockOffset> clockOffset(const TruthOverTime& truth, const Matches& matches);
 
 /// The matches with the truth `offset` later; pairs beyond its ends count as not tracked.
 Matches delayed(const TruthOverTime& truth, Matches matches, double offset);

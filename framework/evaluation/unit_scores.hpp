@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "evaluation/firing_rate.hpp"
-#include "evaluation/grid_score.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::evaluation {

@@ -125,7 +125,7 @@ evaluation::Trajectory sampled(const evaluation::Trajectory& poses) {
 evaluation::TrajectoryMetrics scored(const evaluation::Trajectory& truth,
                                      const evaluation::Trajectory& estimate, Alignment alignment,
                                      const std::optional<evaluation::SegmentLengths>& lengths) {
-  evaluation::TrajectoryMetrics metrics = evaluation::score(truth, estimate, alignment, lengths);
+  evaluation::TrajectoryMetrics metrics = evaluation::score(truth, estimate, {alignment, lengths});
   metrics.warning = evaluation::doubtText(evaluation::doubts(truth, sampled(estimate), alignment));
   return metrics;
 }
@@ -223,6 +223,29 @@ void alignTruth(RunData& run, const evaluation::Trajectory& truth, bool scale_kn
   run.has_metres = true;
 }
 
+/// With `evaluation.body: estimate` the truth becomes that of the camera.
+void takeOffBody(RunData& run, evaluation::Trajectory& truth,
+                 const config::EvaluationSettings& settings) {
+  if (settings.body != "estimate") return;
+  const auto matches = evaluation::associateByFrame(truth, run.odometry);
+  if (matches.isOk()) run.metrics.body = evaluation::bodyOf(matches.value());
+  if (!run.metrics.body) return;
+  truth = evaluation::ofBody(std::move(truth), run.metrics.body->pose().inverse());
+}
+
+/// The errors of the map, or why cells have no true places: positions alone have no headings.
+evaluation::TrajectoryMetrics scoresForCells(const RunData& run,
+                                             const evaluation::Trajectory& truth) {
+  evaluation::TrajectoryMetrics metrics = run.metrics.map;
+  const auto matches = evaluation::associateByFrame(truth, run.map);
+  if (!metrics.scores || !matches.isOk() || !evaluation::hasPositionsAlone(matches.value())) {
+    return metrics;
+  }
+  metrics.scores.reset();
+  metrics.reason = "the truth has positions alone";
+  return metrics;
+}
+
 /// Errors of each matched frame after alignment.
 ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Trajectory& estimate,
                      Alignment alignment) {
@@ -278,7 +301,10 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     data.map = since(joint ? 0 : own, must(reader.map()));
     markSessions(sessions, data.map);
     data.graph = must(reader.graph());
+    takeOffBody(data, truth, settings);
+    const auto body = data.metrics.body;
     data.metrics = measure(reader, truth, data, settings);
+    data.metrics.body = body;
     data.metrics.motions = consistencyOf(reader, own, truth, data.metrics.alignment);
     alignTruth(data, truth, must(reader.scaleKnown()));
     for (evaluation::TrajectoryMetrics* scored : {&data.metrics.odometry, &data.metrics.map}) {
@@ -287,7 +313,7 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     }
     data.cells = cellsOf(reader, data.metrics.no_cells);
     data.metrics.cells = evaluation::scoreCells(data.cells, data.map, must(reader.map()),
-                                                data.truth, data.metrics.map, seed);
+                                                data.truth, scoresForCells(data, truth), seed);
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
     data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
     return data;

@@ -46,9 +46,7 @@ TEST_CASE("eval by time refuses files without times") {
   const std::string tum = files.write("a.tum", true);
   const std::string kitti = files.write("a.kitti", false);
   const std::string refusal =
-      kitti +
-      ": has no times, as all KITTI files; leave out --max-difference, and poses are matched by "
-      "frame\n";
+      kitti + ": has no times, as all KITTI files; its poses can only be matched by their order\n";
   for (const auto& [truth, estimate] :
        {std::pair(kitti, kitti), std::pair(tum, kitti), std::pair(kitti, tum)}) {
     const Finished finished = eval(truth, estimate, {"--max-difference", "0.02"});
@@ -65,7 +63,7 @@ TEST_CASE("eval matches by time where both files have times") {
   const std::string truth = files.write("truth.tum", true);
   const Finished third = eval(truth, files.write("third.tum", true, 0, 3));
   CHECK(third.exit_code == 0);
-  CHECK(contains(third.out, "matched 20; coverage 33.3 %"));
+  CHECK(contains(third.out, "matched 20; coverage 100.0 %"));
   CHECK(contains(third.out, "ATE rmse 0.000 m"));
   CHECK(third.err.empty());
   CHECK(eval(truth, files.write("early.tum", true, 0, 1, 40)).err.empty());  // ends early
@@ -125,9 +123,41 @@ TEST_CASE("eval refuses to guess which poses belong together") {
   CHECK(finished.err ==
         half + " has 30 poses and " + truth +
             " has 60, and only one of them has times: which belong together is not known; give "
-            "both with times (TUM) and --max-difference, or both as KITTI files that begin at the "
-            "same frame\n");
+            "both with times (TUM), or both as KITTI files that begin at the same frame\n");
   CHECK(eval(truth, files.write("all.tum", true)).exit_code == 0);
+}
+
+TEST_CASE("eval of several estimates gives a table, a figure, and JSON by name") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  const std::string third = files.write("third.tum", true, 0, 3);
+  const std::string figure = (files.folder.path() / "errors.svg").string();
+  const std::vector<std::string> words = {"eval", truth, truth, third, "--figure", figure};
+  const Finished table = tolman::test::tolman(words);
+  CHECK(table.exit_code == 0);
+  CHECK(contains(table.out, "estimate"));
+  CHECK(contains(table.out, third + "      0.000"));
+  CHECK(std::filesystem::file_size(figure) > 1000);
+  CHECK(tolman::test::tolman(words).exit_code == 8);  // the figure exists
+  const auto json = nlohmann::json::parse(
+      tolman::test::tolman({"eval", truth, truth, third, "--rpe", "10m", "--path", "--json"}).out);
+  CHECK(json[third]["matched"] == 20);
+  CHECK(json[third]["steps"][0]["pairs"] > 5);
+  CHECK(json[truth]["path"]["hausdorff_m"] == 0);
+}
+
+TEST_CASE("eval shifts the clock and takes the body of the truth as it is asked to") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  const std::string late = files.write("late.tum", true, 5);
+  CHECK(contains(eval(truth, late, {"--offset=-5"}).out, "ATE rmse 0.000 m"));
+  CHECK(contains(eval(truth, truth, {"--body", "0,0,1", "--align", "none"}).out,
+                 "the truth is measured at (0, 0, 1) m in the camera"));
+  CHECK(
+      contains(eval(truth, truth, {"--body", "0,0,1", "--align", "none"}).out, "ATE rmse 1.000 m"));
+  CHECK(eval(truth, truth, {"--body", "0,0"}).exit_code == 2);
+  CHECK(eval(truth, truth, {"--rpe", "10 parsec"}).exit_code == 2);
+  CHECK(contains(eval(truth, truth, {"--match", "interpolate"}).out, "matched 60"));
 }
 
 TEST_CASE("eval warns of a truth that stands still") {

@@ -32,7 +32,7 @@ TEST_CASE("no match is an error, never a perfect score") {
         "are of the same run");
   CHECK_FALSE(associateByFrame({}, late).isOk());
   CHECK_FALSE(associateByFrame(late, {}).isOk());
-  CHECK_FALSE(associateByStamp({}, late, 1).isOk());
+  CHECK_FALSE(associate({}, late, {MatchRule::Nearest, 1}).isOk());
 }
 
 TEST_CASE("stamps match the nearest within the limit, one to one") {
@@ -44,16 +44,16 @@ TEST_CASE("stamps match the nearest within the limit, one to one") {
   estimate[2].stamp_ns = 102 * ms;  // truth 1, nearer
   estimate[3].stamp_ns = 150 * ms;  // too far from both
   estimate[4].stamp_ns = 309 * ms;  // truth 3
-  const Matches matches = associateByStamp(truth, estimate, 10 * ms).value();
+  const Matches matches = associate(truth, estimate, {MatchRule::Nearest, 10 * ms}).value();
   REQUIRE(matches.size() == 3);
   CHECK(matches.truth[1].frame == 1);
   CHECK(matches.estimate[1].frame == 2);
   CHECK(matches.truth[2].frame == 3);
   CHECK(matches.coverage() == Approx(0.75));
-  CHECK_FALSE(associateByStamp(truth, {estimate[3]}, 10 * ms).isOk());
+  CHECK_FALSE(associate(truth, {estimate[3]}, {MatchRule::Nearest, 10 * ms}).isOk());
 }
 
-TEST_CASE("matching by stamp agrees with looking at every pair") {
+TEST_CASE("matching by stamp agrees with taking the nearest pair of all, again and again") {
   RandomStream random(3);
   for (int round = 0; round < 50; ++round) {
     Trajectory truth = test::straightPath(20);
@@ -65,20 +65,21 @@ TEST_CASE("matching by stamp agrees with looking at every pair") {
             static_cast<std::int64_t>(1 + random.below(path == &truth ? 5 : 20));
       }
     }
-    const auto result = associateByStamp(truth, estimate, 2);
-    std::size_t expected = 0;  // truths that are the nearest of some estimate
-    std::int64_t last = -1;
-    for (const auto& pose : estimate) {
-      std::int64_t best = 0;
-      for (std::int64_t i = 0; i < 20; ++i) {
-        const auto d = [&](std::int64_t k) {
-          return std::abs(truth[static_cast<std::size_t>(k)].stamp_ns - pose.stamp_ns);
-        };
-        if (d(i) < d(best)) best = i;
+    const auto result = associate(truth, estimate, {MatchRule::Nearest, 2});
+    std::size_t expected = 0;  // the nearest pair of those that are left, again and again
+    std::vector<std::int64_t> left;
+    for (const auto& pose : truth) left.push_back(pose.stamp_ns);
+    std::vector<std::int64_t> stamps;
+    for (const auto& pose : estimate) stamps.push_back(pose.stamp_ns);
+    for (std::int64_t apart = 0; apart <= 2; ++apart) {
+      for (auto at = left.begin(); at != left.end();) {
+        const auto found = std::ranges::find_if(
+            stamps, [&](std::int64_t stamp) { return std::abs(stamp - *at) == apart; });
+        const bool is_pair = found != stamps.end();
+        if (is_pair) stamps.erase(found);
+        at = is_pair ? left.erase(at) : at + 1;
+        expected += is_pair ? 1 : 0;
       }
-      if (std::abs(truth[static_cast<std::size_t>(best)].stamp_ns - pose.stamp_ns) > 2) continue;
-      expected += best != last ? 1 : 0;
-      last = best;
     }
     CHECK((result.isOk() ? result.value().size() : 0) == expected);
   }

@@ -15,6 +15,7 @@ using namespace tolman;
 namespace {
 
 constexpr std::int64_t kMotions = 4000;
+constexpr Steps kPerMetre{.unit = StepUnit::Metres, .divided = true};
 
 /// Different in each direction, with position and heading correlated.
 Matrix6d claimed() {
@@ -82,12 +83,12 @@ TEST_CASE("a step that is 1 percent long costs 1 cm a metre, wherever the world 
   const Trajectory truth = test::straightPath(50, 2);
   const Trajectory estimate = test::moved(test::straightPath(50, 2.02), test::randomPose(random));
   const Matches matches = test::paired(truth, estimate);
-  const RelativeError frames = relativeErrorOverFrames(matches);
+  const RelativeError frames = relativeError(matches, {});
   CHECK(frames.translation_m.count == 49);
   CHECK(frames.translation_m.rmse == Approx(0.02));
   CHECK(frames.rotation_deg.max < 1e-5);
-  CHECK(relativeErrorOverFrames(matches, 10).translation_m.mean == Approx(0.2));
-  const RelativeError metres = relativeErrorOverDistance(matches);
+  CHECK(relativeError(matches, {10}).translation_m.mean == Approx(0.2));
+  const RelativeError metres = relativeError(matches, kPerMetre);
   CHECK(metres.translation_m.count == 49);
   CHECK(metres.translation_m.max == Approx(0.01));
 }
@@ -101,7 +102,7 @@ TEST_CASE("a turning rate that is wrong shows as rotation error") {
     pose.T_world_camera = T;
     T = T * fromPlanar({1, 0, 0.5 * degree});
   }
-  const RelativeError error = relativeErrorOverFrames(test::paired(truth, estimate));
+  const RelativeError error = relativeError(test::paired(truth, estimate), {});
   CHECK(error.rotation_deg.mean == Approx(0.5));
   CHECK(error.rotation_deg.min == Approx(0.5));
   CHECK(error.translation_m.max < 1e-12);
@@ -112,14 +113,14 @@ TEST_CASE("missing frames give no pairs over one frame") {
   Trajectory estimate = truth;
   estimate.erase(estimate.begin() + 4);
   const Matches matches = test::paired(truth, estimate);
-  CHECK(relativeErrorOverFrames(matches).translation_m.count == 7);  // not 3-4, 4-5
-  CHECK(relativeErrorOverFrames(matches, 2).translation_m.count == 6);
+  CHECK(relativeError(matches, {}).translation_m.count == 7);  // not 3-4, 4-5
+  CHECK(relativeError(matches, {2}).translation_m.count == 6);
 }
 
 TEST_CASE("relative errors of single poses are empty, not wrong") {
   const Matches matches = test::paired(test::straightPath(1), test::straightPath(1));
-  CHECK(relativeErrorOverFrames(matches).translation_m.count == 0);
-  CHECK(relativeErrorOverDistance(matches).translation_m.count == 0);
+  CHECK(relativeError(matches, {}).translation_m.count == 0);
+  CHECK(relativeError(matches, kPerMetre).translation_m.count == 0);
   CHECK(absoluteError(matches).count == 1);
 }
 
@@ -134,10 +135,10 @@ TEST_CASE("the step from one session to the next counts in no error") {
   }
   CHECK(pathLength(truth) == Approx(118));
   const Matches matches = test::paired(truth, estimate);
-  const RelativeError frames = relativeErrorOverFrames(matches);
+  const RelativeError frames = relativeError(matches, {});
   CHECK(frames.translation_m.count == 118);
   CHECK(frames.translation_m.max < 1e-9);
-  CHECK(relativeErrorOverDistance(matches, 5).translation_m.max < 1e-9);
+  CHECK(relativeError(matches, {5, StepUnit::Metres}).translation_m.max < 1e-9);
   const SegmentErrors segments = segmentErrors(matches, {"custom", {20}});
   CHECK(segments.segments == 8);          // from 0, 10, 20, 30, and 60 to 90
   CHECK(segments.segments_in_gaps == 2);  // from 40 and 50
@@ -159,7 +160,7 @@ TEST_CASE("sub-paths over a bent way without true poses are left out, straight o
   const SegmentErrors segments = segmentErrors(bent, {"custom", {10}});
   CHECK(segments.segments_in_gaps > 0);
   CHECK(segments.t_rel_percent < 1e-9);
-  CHECK(relativeErrorOverDistance(bent, 5).translation_m.max < 1e-9);
+  CHECK(relativeError(bent, {5, StepUnit::Metres}).translation_m.max < 1e-9);
   Trajectory sparse = test::straightPath(100);
   const Trajectory straight = sparse;
   sparse.erase(sparse.begin() + 30, sparse.begin() + 70);

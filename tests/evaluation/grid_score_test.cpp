@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Grid scores of ideal lattices, whose symmetry is known.
-#include "evaluation/grid_score.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "evaluation/firing_rate.hpp"
 #include "evaluation/lattice_maps.hpp"
 #include "tolman/context.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Decoding of populations whose state is known: von Mises rings, Gaussian bumps on tori.
-#include "evaluation/population_code.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "evaluation/recorded_cells.hpp"
 
 using namespace tolman;
 using namespace tolman::evaluation;

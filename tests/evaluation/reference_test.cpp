@@ -5,7 +5,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "evaluation/hypotheses.hpp"
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
 #include "evaluation/plausibility.hpp"
@@ -46,7 +45,8 @@ Trajectory readMotions(const std::filesystem::path& file) {
 
 std::string foundDoubts(const Trajectory& truth, const Trajectory& estimate,
                         std::int64_t max_difference_ns = -1) {
-  return doubtText(doubts(truth, estimate, Alignment::Se3, max_difference_ns));
+  const auto rule = max_difference_ns < 0 ? MatchRule::Order : MatchRule::Nearest;
+  return doubtText(doubts(truth, estimate, {Alignment::Se3, {}, {rule, max_difference_ns}}));
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ TEST_CASE("truth of another point, body, clock or unit, and a restart, with thei
   CHECK(body.arm.x() == Approx(0.2).margin(0.05));
   CHECK(body.arm.z() == Approx(-1.6).margin(0.05));
   const Trajectory shifted = input("shifted.tum");
-  const Matches matches = associateByStamp(truth, shifted, kNear).value();
-  CHECK(clockOffset(TruthOverTime(truth, matches, true), matches).value() ==
+  const Matches matches = associate(truth, shifted, {MatchRule::Nearest, kNear}).value();
+  CHECK(clockOffset(TruthOverTime(truth, matches, true), matches).value().seconds ==
         Approx(-0.13).margin(0.003));
 }

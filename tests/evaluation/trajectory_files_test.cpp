@@ -79,21 +79,69 @@ TEST_CASE("the format is found out from the first pose") {
   CHECK(readTrajectory(folder.file("# c\n1 0 0 0 0 0 0 1\n")).value().size() == 1);
   CHECK(readTrajectory(folder.file(kIdentity)).value().size() == 1);
   CHECK(folder.refusal(readTrajectory(folder.file("1 2 3\n"))) ==
-        "poses.txt:1: neither a TUM pose (8 numbers) nor a KITTI pose (12 numbers): found 3 "
-        "entries");
+        "poses.txt:1: neither a TUM pose (8 numbers) nor a KITTI pose (12 numbers), nor stamp x y "
+        "z (4), nor a frame with its pose (13 or 17): found 3 entries; other tables need a first "
+        "line with the names of their columns");
 }
 
-TEST_CASE("a CSV file of EuRoC is named as such") {
+TEST_CASE("tables of EuRoC and TUM-VI: ns, w first, with and without velocities") {
   const Folder folder;
-  const std::string message =
-      "poses.txt:2: is of a CSV file of EuRoC or TUM-VI (stamps in ns, qw before qx); give a TUM "
-      "file, as 'evo_traj euroc FILE --save_as_tum' writes it";
-  const std::string header = "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m]\n";
-  const std::string pose = "1403636580838555648,4.688,-1.786,0.783,0.534,-0.153,-0.827,-0.082";
-  CHECK(folder.tumRefusal(header + pose + "\n") == message);
-  CHECK(folder.tumRefusal(header + pose + ",-0.027,0.033,0.8,0,0,0,0,0,0\n") == message);
+  const std::string names =
+      "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
+      "q_RS_z []";
+  const std::string pose = "1403636580838555648,4.5,-1.75,0.5,0.5,0.5,-0.5,0.5";
+  const std::string more =
+      ", v_RS_R_x [m s^-1], v_RS_R_y [m s^-1], v_RS_R_z [m s^-1], b_w_RS_S_x "
+      "[rad s^-1], b_w_RS_S_y [rad s^-1], b_w_RS_S_z [rad s^-1], b_a_RS_S_x "
+      "[m s^-2], b_a_RS_S_y [m s^-2], b_a_RS_S_z [m s^-2]";
+  const std::string all = names + more + "\n" + pose + ",-0.027,0.033,0.8,0,0,0,0,0,0\n";
+  for (const std::string& text : {names + "\n" + pose + "\n", all, pose + "\n"}) {
+    const auto path = readTrajectory(folder.file(text)).value();
+    REQUIRE(path.size() == 1);
+    CHECK(path[0].stamp_ns == 1403636580838555648);
+    CHECK(path[0].T_world_camera.translation() == Eigen::Vector3d(4.5, -1.75, 0.5));
+    const Eigen::Quaterniond q(path[0].T_world_camera.linear());
+    CHECK(q.isApprox(Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5), 1e-12));
+  }
+  const auto leica = readTrajectory(folder.file(
+      "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m]\n1403636580838555648,1,2,3\n"));
+  CHECK(leica.value()[0].T_world_camera.translation() == Eigen::Vector3d(1, 2, 3));
+  CHECK_FALSE(hasOrientations(leica.value()));
   // TUM files with commas are read as before.
   CHECK(readTrajectory(folder.file("1403636580.838,0,0,0,0,0,0,1\n")).isOk());
+}
+
+TEST_CASE("tables are read by the names of their columns, positions alone too") {
+  const Folder folder;
+  const auto named = readTrajectory(folder.file(
+      "seq,field.header.stamp_ns,field.header.frame_id,pose.position.x,pose.position.y,"
+      "pose.position.z,pose.orientation.x,pose.orientation.y,pose.orientation.z,"
+      "pose.orientation.w,twist.linear.x\n"
+      "7,1403636580838555648,map,1,2,3,0,0,0,1,9\n8,1403636580938555648,map,1,2,4,0,0,0,1,9\n"));
+  REQUIRE(named.isOk());
+  CHECK(named.value()[1].stamp_ns == 1403636580938555648);
+  CHECK(named.value()[1].T_world_camera.translation() == Eigen::Vector3d(1, 2, 4));
+  const auto positions =
+      readTrajectory(folder.file("x;y;z;time [ms]\n1;2;3;1500.5\n1;2;4;1600.5\n")).value();
+  CHECK(positions[0].stamp_ns == 1'500'500'000);
+  CHECK(positions[1].T_world_camera.translation().z() == 4);
+  // A comment that names other columns than there are is no header.
+  CHECK(readTrajectory(folder.file("# x y z\n1 0 0 0 0 0 0 1\n")).value()[0].stamp_ns ==
+        1'000'000'000);
+}
+
+TEST_CASE("poses with frame numbers, as KITTI-360 has them") {
+  const Folder folder;
+  const auto framed = readTrajectory(folder.file("4 1 0 0 7 0 1 0 8 0 0 1 9\n9 " + kIdentity));
+  REQUIRE(framed.isOk());
+  CHECK(framed.value()[0].frame == 4);
+  CHECK(framed.value()[1].frame == 9);
+  CHECK(framed.value()[0].T_world_camera.translation() == Eigen::Vector3d(7, 8, 9));
+  const auto square = readTrajectory(folder.file("3 1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 1\n")).value();
+  CHECK(square[0].frame == 3);
+  CHECK_FALSE(hasStamps(square));
+  CHECK(folder.refusal(readTrajectory(folder.file("4 " + kIdentity + "4 " + kIdentity))) ==
+        "poses.txt:2: the frame does not increase; sort the file and remove duplicates");
 }
 
 TEST_CASE("broken trajectory files are refused with file and line") {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths for which the rotation of the aligned estimate about the path is undetermined, and others,
 // with errors in closed form.
-#include "evaluation/vertical.hpp"
-
 #include <catch2/catch.hpp>
 #include <functional>
 #include <numbers>
@@ -10,6 +8,7 @@
 #include "evaluation/alignment.hpp"
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
+#include "evaluation/score.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;

@@ -23,9 +23,10 @@ Trajectory straight(std::size_t poses) {
 void scoreAll(const Trajectory& truth, const Trajectory& estimate) {
   for (const Alignment alignment :
        {Alignment::Se3, Alignment::Se2, Alignment::Sim3, Alignment::None}) {
-    for (const std::int64_t by : {std::int64_t{-1}, std::int64_t{50'000'000}}) {
-      const TrajectoryMetrics metrics = score(truth, estimate, alignment, std::nullopt, by);
-      doubts(truth, estimate, alignment, by);
+    for (const MatchRule by : {MatchRule::Order, MatchRule::Nearest, MatchRule::Interpolate}) {
+      const Protocol protocol(alignment, std::nullopt, {by, 50'000'000});
+      const TrajectoryMetrics metrics = score(truth, estimate, protocol);
+      doubts(truth, estimate, protocol);
       tolman::fuzz::require(std::isfinite(metrics.path_length_m), "a length that is not finite");
       if (!metrics.scores) continue;
       tolman::fuzz::require(std::isfinite(metrics.scores->ate_m.rmse), "an ATE that is not finite");

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "attractor_sheet.hpp"
-#include "evaluation/grid_score.hpp"
+#include "evaluation/firing_rate.hpp"
 #include "support/gridness_oracle.hpp"
 
 using namespace tolman;
