@@ -98,8 +98,9 @@ TruePath Assembly::truePath(const std::string& source) {
   const auto found = values.find("path");
   const auto* folder = found == values.end() ? nullptr : std::get_if<std::string>(&found->second);
   Result<TruePath> path = TruePath::open(settings, folder == nullptr ? "" : *folder);
-  if (path.isOk() || !settings.truth.empty()) {
-    require(path.status(), FailureKind::Dataset, "evaluation");
+  const bool is_given = path.status().code() == StatusCode::InvalidParameter;  // the body
+  if (path.isOk() || is_given || !settings.truth.empty()) {
+    require(path.status(), is_given ? FailureKind::Configuration : FailureKind::Dataset);
     return std::move(path).value();
   }
   findings_->add("evaluation",
