@@ -75,6 +75,9 @@ void compare(CompareCommand& command, const Invocation& invocation) {
   if (!command.out.path.empty()) {
     refuseExisting({command.out.path}, command.out.replace, "--out");
   }
+  if (!command.pivot.over.empty() && command.pivot.columns.empty() && command.values.empty()) {
+    fail(ExitCode::Usage, "--over is of --columns or --value; give one of them");
+  }
   if (command.format.empty()) command.format = invocation.json ? "json" : "markdown";
   for (const std::string& only : command.only) {
     command.options.only.push_back(sidesOf(only));

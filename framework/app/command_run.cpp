@@ -114,7 +114,8 @@ ExitCode rerun(const RerunCommand& command, const Invocation& invocation) {
   const engine::Interrupts interrupts;
   fs::path before = fs::absolute(command.run).lexically_normal();
   if (!before.has_filename()) before = before.parent_path();
-  if (fs::exists(before / "point.json")) before /= "run";  // one run of a sweep
+  if (fs::exists(before / "point.json") && fs::exists(before / "run"))
+    before /= "run";  // of a sweep
   const fs::path out = command.out.path.empty() ? before.string() + "-again" : command.out.path;
   std::error_code ignored;
   if (fs::equivalent(before, out, ignored)) {

@@ -22,7 +22,8 @@ TEST_CASE("an archive runs elsewhere, with the same results") {
   INFO(written.err);
   REQUIRE(written.exit_code == 0);
   const std::string first = readText(file);
-  REQUIRE(tolman::test::tolman({"sweep", "archive", study.out().string(), "--out", file.string()})
+  REQUIRE(tolman::test::tolman(
+              {"sweep", "archive", study.out().string(), "--out", file.string(), "--force"})
               .exit_code == 0);
   CHECK(readText(file) == first);  // the same bytes each time
   const fs::path own = study.folder.path() / "own.tar.gz";

@@ -155,7 +155,7 @@ TEST_CASE("what cannot be replayed is told with its remedy") {
   CHECK(contains(wrong.err, "lost and carried_at need the motion of the source"));
 }
 
-TEST_CASE("a run that is made again gives the same bytes, or what has changed is told") {
+TEST_CASE("a run that is made again gives the same bytes, or the files that differ are listed") {
   Recorded data;
   REQUIRE(data.run("motion.yaml", "run", kFrontEnd).exit_code == 0);
   const std::string run = (data.folder.path() / "run").string();
@@ -163,7 +163,6 @@ TEST_CASE("a run that is made again gives the same bytes, or what has changed is
   INFO(same.err);
   CHECK(same.exit_code == 0);
   CHECK(contains(same.out, "trajectory.tum      same\n"));
-  CHECK_FALSE(contains(tolman::test::tolman({"rerun", run, "--force"}).err, "other contents"));
   const auto json = readJson(data.folder.path() / "run/run.json");
   CHECK(json["data"][0]["files"] == 3);
   CHECK(json["data"][0]["sha256"].get<std::string>().size() == 64);
@@ -175,33 +174,13 @@ TEST_CASE("a run that is made again gives the same bytes, or what has changed is
   std::ofstream(digests) << listed.substr(0, listed.find('\n') + 1);
   const Finished cut = tolman::test::tolman({"rerun", run, "--verify", "--force"});
   CHECK(cut.exit_code == 8);
-  CHECK(contains(cut.out, "not in results.sha256 of the earlier run\n"));
+  CHECK(contains(cut.out, "is in one of the runs only\n"));
   std::ofstream(digests) << listed;
-  std::ofstream(data.folder.path() / "run/odometry.tum", std::ios::app) << "# edited\n";
-  const Finished edited = tolman::test::tolman({"rerun", run, "--verify", "--force"});
-  CHECK(edited.exit_code == 8);
-  CHECK(contains(edited.out, "odometry.tum        changed since it was recorded\n"));
-  CHECK(contains(edited.out, "trajectory.tum      same\n"));
 
   writeMotionFolder(data.folder.path() / "log", 0.004);
   const Finished other = tolman::test::tolman({"rerun", run, "--verify", "--force"});
   CHECK(other.exit_code == 8);
   CHECK(contains(other.out, "trajectory.tum      differs\n"));
-  CHECK(contains(other.out, "log has other contents"));
-  const Finished blind = tolman::test::tolman({"rerun", run, "--force"});  // without --verify
-  CHECK(blind.exit_code == 0);
-  CHECK(contains(blind.err, "log has other contents than when "));
-  const Finished as_json = tolman::test::tolman({"rerun", run, "--force", "--json"});
-  const auto changes = nlohmann::json::parse(as_json.out)["changes"];
-  REQUIRE(changes.size() == 1);
-  CHECK(contains(changes[0], "log has other contents"));
-  // Data of a run that is too large for a digest are told apart by their size.
-  auto sizes = readJson(data.folder.path() / "run/run.json");
-  sizes["data"][0].erase("sha256");
-  sizes["data"][0]["bytes"] = 7;
-  std::ofstream(data.folder.path() / "run/run.json") << sizes;
-  CHECK(contains(tolman::test::tolman({"rerun", run, "--force"}).err, "log has other contents"));
-  std::ofstream(data.folder.path() / "run/run.json") << json;
   const Finished quiet = tolman::test::tolman({"-q", "rerun", run, "--verify", "--force"});
   CHECK(quiet.exit_code == 8);
   CHECK(contains(quiet.err, "run-again: its results are not those of "));

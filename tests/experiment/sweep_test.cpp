@@ -93,7 +93,7 @@ TEST_CASE("a run that fails is reported, kept, and repeated on demand") {
   study.write("list: {log: {right: {}, wrong: {source.odometry: none.g2o}}}\n");
   const Finished first = study.sweep();
   CHECK(first.exit_code == 7);
-  CHECK(contains(first.err, "none.g2o is not a readable file"));
+  CHECK(contains(first.err, "none.g2o: is missing"));
   CHECK(study.results().size() == 4);
   const Finished status = tolman::test::tolman({"sweep", "status", study.out().string()});
   CHECK(contains(status.out, "done         4\nfailed       4\n"));
