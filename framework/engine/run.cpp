@@ -115,6 +115,13 @@ std::optional<Failure> Run::failureOf(const DriveResult& result, const RunListen
   std::optional<Failure> failure = result.failure;
   if (failure && failure->stage == enumName(Role::Observer)) {
     failure->stage = listener.failedObserver();
+  } else if (failure) {  // the chain knows roles; run.json has the names in the configuration
+    for (const config::StageConfig& stage : config().stages) {
+      if (enumName(stage.role) == failure->stage) {
+        failure->stage = stage.instance;
+        break;
+      }
+    }
   }
   if (failure || result.interrupted || n.frames > 0) return failure;
   failure = n.skipped > 0
