@@ -42,10 +42,14 @@ pipeline:
   stage_deadline: 10
 evaluation:
   alignment: se3
+  body: ""
   loop_height: 0
   segment_lengths: [5, 10.5]
   segments: auto
   sessions: own
+  truth: ""
+  truth_match: interpolate
+  truth_offset: 0
 record:
   arrays_every: -1
   replay: false

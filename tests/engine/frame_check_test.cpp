@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faults of cameras that begin and end during a run.
-#include "engine/camera_check.hpp"
-
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "engine/camera_check.hpp"
 #include "engine/painted_pair.hpp"
 
 using namespace tolman;

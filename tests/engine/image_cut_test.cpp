@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cropped and scaled images against OpenCV's area means; calibration against projected points.
-#include "engine/pixel_map.hpp"
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
 
+#include "engine/pixel_map.hpp"
 #include "tolman/image_cv.hpp"
 
 using namespace tolman;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Projection against OpenCV's functions, and against the closed form of the mirror.
-#include "engine/rectified_view.hpp"
-
 #include <catch2/catch.hpp>
 #include <opencv2/calib3d.hpp>
 
 #include "engine/raw_cameras.hpp"
+#include "engine/rectified_view.hpp"
 
 using namespace tolman;
 using namespace tolman::engine;

@@ -4,9 +4,9 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "engine/camera_check.hpp"
 #include "engine/pixel_map.hpp"
 #include "engine/rectified_view.hpp"
-#include "engine/camera_check.hpp"
 #include "layouts.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"

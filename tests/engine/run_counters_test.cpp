@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report on a run without motion.
-#include "engine/frame_records.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
+
+#include "engine/frame_records.hpp"
 
 using tolman::engine::RunCounters;
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The measured misalignment of scenes whose misalignment is known.
-#include "engine/camera_check.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "engine/camera_check.hpp"
 #include "engine/painted_pair.hpp"
 
 using namespace tolman;

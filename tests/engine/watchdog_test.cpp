@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The watchdog, with a clock and a disk of the test.
-#include "engine/run_listener.hpp"
-
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "engine/run_listener.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

@@ -9,10 +9,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "base/codec.hpp"
 #include "bayesian_attractor.hpp"
 #include "experience_map.hpp"
 #include "host/calls.hpp"
-#include "base/codec.hpp"
 #include "input.hpp"
 #include "place_replay.hpp"
 #include "seqslam.hpp"

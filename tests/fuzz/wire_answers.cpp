@@ -4,9 +4,9 @@
 // call, the next eight are the size in the message, the rest is the shared memory.
 #include <algorithm>
 
+#include "base/codec.hpp"
 #include "host/calls.hpp"
 #include "host/channel.hpp"
-#include "base/codec.hpp"
 #include "host/stages.hpp"
 #include "input.hpp"
 #include "small_plugins.hpp"

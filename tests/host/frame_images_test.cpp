@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Invalid images of a source.
-#include "host/values.hpp"
-
 #include <catch2/catch.hpp>
 #include <vector>
+
+#include "host/values.hpp"
 
 using namespace tolman;
 using namespace tolman::host;

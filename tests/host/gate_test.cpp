@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/library.hpp"
-
 #include "host/fixture_plugins.hpp"
+#include "host/library.hpp"
 
 using namespace tolman;
 using namespace tolman::host;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/stages.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "host/frame_at.hpp"
+#include "host/stages.hpp"
 
 using namespace tolman;
 using namespace tolman::host;

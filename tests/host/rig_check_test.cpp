@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <catch2/catch.hpp>
 
-#include "host/values.hpp"
 #include "host/stages.hpp"
+#include "host/values.hpp"
 
 using namespace tolman;
 
