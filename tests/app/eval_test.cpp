@@ -143,7 +143,7 @@ TEST_CASE("eval of several estimates gives a table, a figure, and JSON by name")
       tolman::test::tolman({"eval", truth, truth, third, "--rpe", "10m", "--path", "--json"}).out);
   CHECK(json[third]["matched"] == 20);
   CHECK(json[third]["steps"][0]["pairs"] > 5);
-  CHECK(json[truth]["path"]["hausdorff_m"] == 0);
+  CHECK(json[truth]["path"]["hausdorff_m"].get<double>() < 1e-12);  // after an alignment
 }
 
 TEST_CASE("eval shifts the clock and takes the body of the truth as it is asked to") {
