@@ -195,10 +195,10 @@ void Run::warnOfOthers(const std::vector<CameraRig>& before) {
   };
   if (!before.empty() && before.front().width > 0 && now.width > 0 &&
       key(before.front()) != key(now)) {
-    warn(
-        fmt::format("the camera is another than in the earlier session ({}, then {}); places seen "
-                    "with the earlier one may not be recognised",
-                    key(now), key(before.front())));
+    warn(fmt::format(
+        "the camera is another than in the earlier session (now {}, then {}); places seen "
+        "with the earlier one may not be recognised",
+        key(now), key(before.front())));
   }
   const std::vector<std::string> changed =
       changedProgramFiles(record::RunDirectory::readRunFile(config().general.continue_from),

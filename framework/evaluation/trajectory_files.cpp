@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory_files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -267,19 +269,32 @@ class CutLine {
 Result<std::string> textOf(const std::filesystem::path& path) {
   constexpr std::size_t kMost = std::size_t{1} << 30;
   if (std::filesystem::is_directory(path)) return Status::invalidInput("is a folder; give a file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) {
     const std::string why = std::generic_category().message(errno);
     return Status::invalidInput("cannot be read (" + why + "); check path and permissions");
   }
   std::string text;
   std::array<char, 1 << 16> bytes;
-  while (stream.read(bytes.data(), bytes.size()) || stream.gcount() > 0) {
-    text.append(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > kMost) return Status::invalidInput("has more than 1 GiB");
+  ssize_t got = 0;
+  while (text.size() <= kMost) {
+    got = ::read(file, bytes.data(), bytes.size());
+    if (got > 0) {
+      text.append(bytes.data(), static_cast<std::size_t>(got));
+    } else if (got < 0 && errno == EAGAIN) {  // a pipe whose writer is at work
+      pollfd waiting{file, POLLIN, 0};
+      ::poll(&waiting, 1, -1);
+    } else if (got == 0 || errno != EINTR) {
+      break;
+    }
   }
-  return stream.bad() ? Status::invalidInput("cannot be read to its end; check the disk")
-                      : Result<std::string>(std::move(text));
+  ::close(file);
+  if (text.size() > kMost) return Status::invalidInput("has more than 1 GiB");
+  if (got < 0) return Status::invalidInput("cannot be read to its end; check the disk");
+  if (text.empty() && std::filesystem::is_fifo(path)) {
+    return Status::invalidInput("nobody writes to this pipe; start its writer first");
+  }
+  return text;
 }
 
 }  // namespace

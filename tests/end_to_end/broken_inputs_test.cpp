@@ -50,7 +50,7 @@ TEST_CASE("data sets that are wrong are refused before frame 0, with exit code 5
   }
   SECTION("missing right image") {
     fs::remove(data.sequence / "image_1/000003.png");
-    data.refused("image_1");
+    data.refused("000003.png: has no partner of the same name");
   }
   SECTION("empty calibration") {
     data.write("calib.txt", "");
@@ -68,7 +68,7 @@ TEST_CASE("data sets that are wrong are refused before frame 0, with exit code 5
   }
   SECTION("times going back") {
     data.write("times.txt", "0\n0.1\n0.2\n0.15\n0.4\n0.5\n");
-    data.refused("times.txt:4");
+    data.refused("image before: time 4 of " + (data.sequence / "times.txt").string());
   }
   SECTION("NaN in poses") {
     data.write("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 nan 0 0 0 0 1 1\n");

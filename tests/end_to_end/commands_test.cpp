@@ -139,7 +139,7 @@ TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
   std::filesystem::resize_file(sequence / "times.txt", 4);
   const Finished broken = tolman::test::tolman({"dataset", "check", sequence.string()});
   CHECK(broken.exit_code == 5);
-  CHECK(contains(broken.out + broken.err, "image_1"));
+  CHECK(contains(broken.out + broken.err, "000002.png: has no partner"));
   CHECK(contains(broken.out + broken.err, "times.txt"));
   const Finished none = tolman::test::tolman({"dataset", "check", folder.path().string()});
   CHECK(none.exit_code == 5);
@@ -320,7 +320,7 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
 TEST_CASE("an option with names lists them") {
   const Finished align = tolman::test::tolman({"eval", "a", "b", "--align", "foo"});
   CHECK(align.exit_code == 2);
-  CHECK(contains(align.err, "--align: 'foo' is not one of none, se2, se3, sim3\n"));
+  CHECK(contains(align.err, "--align: 'foo' is not one of none, origin, yaw, se2, se3, sim3\n"));
   const Finished motion = tolman::test::tolman({"init", "a", "--motion", "Boat"});
   CHECK(motion.exit_code == 2);
   CHECK(contains(motion.err, "--motion: 'Boat' is not one of car, hand, toy\n"));

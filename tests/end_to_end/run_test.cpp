@@ -147,7 +147,9 @@ TEST_CASE("a map continued with another camera is told") {
   INFO(other.err);
   CHECK(other.exit_code == 0);
   const std::string told =
-      "the camera is another than in the earlier session (pinhole.fx was 100 and is 120)";
+      "the camera is another than in the earlier session (now 160x60 px, fx 120, fy 100, cx 80, cy "
+      "30, "
+      "baseline 0.5 m, then 160x60 px, fx 100,";
   CHECK(contains(other.err, told));
   CHECK(contains(readText(tiny.folder.path() / "other/log.txt"), told));
 }

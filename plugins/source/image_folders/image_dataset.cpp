@@ -111,6 +111,7 @@ void setStamps(const fs::path& file, std::vector<std::int64_t> stamps_ns, ImageD
   dataset.left.resize(common);
   if (!dataset.right.empty()) dataset.right.resize(common);
   dataset.stamps_ns = std::move(stamps_ns);
+  dataset.stamps_file = file;
 }
 
 std::vector<std::ptrdiff_t> nearestTimes(const std::vector<std::int64_t>& times,
@@ -151,7 +152,12 @@ void leaveOutUnusable(ImageDataset& dataset, FindingCollector& findings) {
     if (rises) last = dataset.stamps_ns[i];
     keep.push_back(rises && (dataset.right.empty() || !dataset.right[i].empty()));
     if (rises) continue;
-    addContradiction(findings, dataset.left[i], "has a time no later than the image before",
+    const std::string origin =
+        dataset.stamps_file.empty()
+            ? ""
+            : ": time " + std::to_string(i + 1) + " of " + dataset.stamps_file.string();
+    addContradiction(findings, dataset.left[i],
+                     "has a time no later than the image before" + origin,
                      "sort the data, or correct the times");
   }
   keepFrames(keep, dataset);

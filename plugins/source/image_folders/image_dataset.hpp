@@ -27,6 +27,7 @@ struct ImageDataset {
   std::vector<std::filesystem::path> left;
   std::vector<std::filesystem::path> right;  ///< or empty; an empty path: without partner
   std::vector<std::int64_t> stamps_ns;
+  std::filesystem::path stamps_file;            ///< with one time for each image; or empty
   std::vector<Eigen::Isometry3d> T_world_left;  ///< truth, of the left camera; or empty
   std::vector<std::filesystem::path> depth;     ///< of the left camera, 16 bits; or empty
   double depth_per_m = 0;                       ///< values of a depth image per metre

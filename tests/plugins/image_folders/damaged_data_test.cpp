@@ -62,7 +62,9 @@ TEST_CASE("counts that differ, times that do not rise and a broken truth are fin
   }
   SECTION("times going back") {
     data.write("times.txt", "0.0\n0.2\n0.1\n0.3\n");
-    finding = "error DATA/image_0/000002.png: has a time no later than the image before";
+    finding =
+        "error DATA/image_0/000002.png: has a time no later than the image before: time 3 of "
+        "DATA/times.txt";
     frames = 3;
   }
   SECTION("too few times") {
