@@ -132,18 +132,22 @@ std::string unknownCommand(const CLI::App& app) {
          (suggestion.empty() ? "; it is one of: " + config::listed(names) : suggestion);
 }
 
+ExitCode written() {
+  if (std::cout.flush()) return ExitCode::Ok;
+  return printFailure(ExitCode::Record,
+                      "the output cannot be written; look for a full disk or a closed pipe");
+}
+
 ExitCode parse(CLI::App& app, std::vector<std::string> words, const Invocation& invocation) {
   try {
     std::ranges::reverse(words);  // CLI11 expects the last word first
     app.parse(words);
-    if (std::cout.flush() || invocation.exit_code != ExitCode::Ok) return invocation.exit_code;
-    return printFailure(ExitCode::Record,
-                        "the output cannot be written; look for a full disk or a closed pipe");
+    return invocation.exit_code == ExitCode::Ok ? written() : invocation.exit_code;
   } catch (const CLI::ParseError& error) {
     const std::string unknown = unknownCommand(app);
     if (!unknown.empty()) return printFailure(ExitCode::Usage, unknown);
-    return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
-  } catch (const CLI::Error& error) {  // of fail()
+    return app.exit(error) == 0 ? written() : ExitCode::Usage;  // 0: a page of help
+  } catch (const CLI::Error& error) {                           // of fail()
     return printFailure(static_cast<ExitCode>(error.get_exit_code()), error.what());
   } catch (const engine::Failure& failed) {
     return printFailure(exitCode(failed.kind), failed.what());

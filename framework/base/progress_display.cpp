@@ -12,6 +12,8 @@
 namespace tolman {
 namespace {
 
+constexpr std::int64_t kRedrawNs = 100'000'000;
+
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
   std::array<char, 64> text{};
@@ -91,13 +93,13 @@ void StatusLine::redraw(const std::string& line) {
 }
 
 void ProgressDisplay::begin(std::int64_t now_ns) {
-  begin_ns_ = shown_ns_ = now_ns;
+  begin_ns_ = now_ns;
+  shown_ns_ = interactive_ ? now_ns - kRedrawNs : now_ns;  // the first frame is shown at once
   shown_tenths_ = 0;
   line_.erase();
 }
 
 bool ProgressDisplay::isDue(const FrameCount& count, std::int64_t now_ns) const {
-  constexpr std::int64_t kRedrawNs = 100'000'000;
   constexpr std::int64_t kSilenceNs = 5'000'000'000;
   if (interactive_) return now_ns - shown_ns_ >= kRedrawNs;
   return tenthsOf(count) > shown_tenths_ ||
