@@ -80,9 +80,9 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   integrate(motion);
   const bool known = seen && state_->links.contains(observation.template_id);
   const auto [calibrated, link] = known ? perceive(observation, motion.frame) : Perception{};
-  if (calibrated.joined_part >= 0) {
+  if (calibrated.joined_part >= 0 || !calibrated.traced.empty()) {
     for (auto& [id, storeys] : state_->links) {
-      for (ViewLink& other : storeys) state_->network.moveToJoinedPart(calibrated, other.learned);
+      for (ViewLink& other : storeys) state_->network.follow(calibrated, other.learned);
     }
   }
   if (calibrated.accepted) {

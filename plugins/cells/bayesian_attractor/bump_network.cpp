@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bump_network.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace tolman::bayesian_attractor {
 namespace {
@@ -25,29 +23,22 @@ constexpr double kMinEnergy = -8;
 /// Bounds of the learned share of right views. Chosen, not tuned; keep its log odds finite.
 constexpr double kMinPrior = 0.001;
 constexpr double kMaxPrior = 0.9;
+/// Turn, in rad, up to which the shape of a path is linear in its steady errors. Chosen, not tuned.
+constexpr double kLinearTurn = 0.3;
+/// Most nats that a closed loop counts whose way must be bent to close. Chosen on 00 and 06, with
+/// odometry that turns too far and with look-alikes, among 0 to 4.
+constexpr double kMostBent = 1;
+/// Standard deviation of a turn above which it is found by tracing, rad.
+constexpr double kOpenTurn = 2 * kLinearTurn;
 
 double logGaussian(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance) {
   return -0.5 * (squaredMahalanobis(difference, covariance) + std::log(covariance.determinant()) +
                  3 * std::log(kTurn));
 }
 
-/// Student's t in three dimensions: a Gaussian of uncertain width.
-double logStudent(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance, double nu) {
-  return std::lgamma((nu + 3) / 2) - std::lgamma(nu / 2) - 1.5 * std::log(nu * std::numbers::pi) -
-         0.5 * std::log(covariance.determinant()) -
-         (nu + 3) / 2 * std::log1p(squaredMahalanobis(difference, covariance) / nu);
-}
-
 /// Squared difference in height over its variance; 0 for variance 0 (no vertical modules).
 double squaredClimb(double climb, double variance) {
   return variance > 0 ? climb * climb / variance : 0;
-}
-
-/// The matrix with the same eigenvectors and the absolute values of the eigenvalues.
-Eigen::Matrix3d absolute(const Eigen::Matrix3d& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spectrum(symmetric);
-  const Eigen::Matrix3d& V = spectrum.eigenvectors();
-  return V * spectrum.eigenvalues().cwiseAbs().asDiagonal() * V.transpose();
 }
 
 }  // namespace
@@ -80,6 +71,9 @@ void BumpNetwork::integrate(const PlanarPose& reported_step, const Eigen::Matrix
   Eigen::Matrix3d noise = reported;
   noise.diagonal() += Eigen::Vector3d(along, along, turn);
   noise *= factor;
+  if (settings_.recalibrate) {
+    state_.history.advance(reported_step, step, noise, errors.effect, settings_.view_spacing);
+  }
   const double drift = settings_.drift_height * settings_.drift_height * length;
   const Climb rise = {climb.metres, climb.variance + drift};
   code_.move(state_.integrator, step, noise, rise, errors);
@@ -107,6 +101,7 @@ CalibrationBump* BumpNetwork::insertBump(const CalibrationBump& bump) {
 }
 
 void BumpNetwork::startPart() {
+  state_.history.startPart();
   state_.part = state_.parts++;
   ++state_.stretch;
   state_.integrator.covariance.setZero();
@@ -123,7 +118,8 @@ LearnedPattern BumpNetwork::currentPattern() const {
           state_.stretch,
           covarianceInPart(),
           state_.integrator.height_variance + state_.stretch_start.height_variance,
-          state_.integrator.errors};
+          state_.integrator.errors,
+          state_.history.last()};
 }
 
 /// The errors of a path to a pose are common to what is fixed to that pose: they cancel.
@@ -165,20 +161,71 @@ void BumpNetwork::recalibrate(const Bump& winner, const LearnedPattern& learned)
   const Apart mixed = apart(state_.integrator, winner, errors, path.mixed);
   for (int k = 0; k < RunningCalibration::kFactors; ++k) {
     const double ratio = RunningCalibration::factorAt(k) / path.noise;
-    path.log_factors[k] +=
-        logStudent(mixed.difference, ratio * ratio * noise + winner.covariance + mixed.covariance,
-                   settings_.tail);
+    const Eigen::Matrix3d S = ratio * ratio * noise + winner.covariance + mixed.covariance;
+    path.log_factors[k] += logStudent(squaredMahalanobis(mixed.difference, S), S, settings_.tail);
   }
   for (ErrorEstimate& estimate : path.estimates) {
-    const Apart away = apart(state_.integrator, winner, errors, estimate);
-    const Eigen::Matrix3d known = noise + winner.covariance;
-    const Eigen::Matrix3d S = known + away.covariance;
-    estimate.log_weight += logStudent(away.difference, S, settings_.tail);
-    const double weight =
-        (settings_.tail + 3) / (settings_.tail + squaredMahalanobis(away.difference, S));
-    update(estimate, errors.effect, away.difference, known / std::min(1.0, weight));
+    const TracedLoop loop = judge(estimate, winner, learned, errors, noise + winner.covariance);
+    estimate = loop.estimate;
+    estimate.log_weight += std::log(std::max(loop.density, 1e-300));
   }
   path.mix();
+}
+
+/// What a loop says of the steady errors. They are traced where they leave the heading open.
+TracedLoop BumpNetwork::judge(const ErrorEstimate& estimate, const Bump& seen,
+                              const LearnedPattern& learned, const PathErrors& errors,
+                              const Eigen::Matrix3d& noise) const {
+  const Apart away = apart(state_.integrator, seen, errors, estimate);
+  if (away.covariance(2, 2) > kOpenTurn * kOpenTurn) {
+    TracedLoop loop = traceLoop(
+        state_.history, estimate,
+        {learned.piece, fromPiece(learned.piece, seen.centre), seen.covariance}, settings_.tail);
+    // A way that is bent until it closes says little for a place, however well it closes.
+    loop.density = std::min(loop.density, std::exp(kMostBent + logDensityOfLookAlike()));
+    return loop;
+  }
+  const Eigen::Matrix3d S = noise + away.covariance;
+  const double squared = squaredMahalanobis(away.difference, S);
+  const double weight = std::min(1.0, (settings_.tail + 3) / (settings_.tail + squared));
+  TracedLoop loop = {estimate, std::exp(logStudent(squared, S, settings_.tail))};
+  update(loop.estimate, errors.effect, away.difference, noise / weight);
+  return loop;
+}
+
+/// Pose of a pattern in the axes of where the piece begins.
+PlanarPose BumpNetwork::fromPiece(std::int64_t piece, const FiringPattern& pattern) const {
+  return code_.between(patternAt(state_.history.beginOf(piece)), pattern);
+}
+
+/// Traces the path again, if what is known of its errors now gives it another shape.
+void BumpNetwork::retrace(Recalibration& calibrated) {
+  const PathErrors& errors = state_.integrator.errors;
+  const double turn = (errors.effect * state_.path.mixed.mean - errors.applied).z();
+  if (std::abs(turn) < kLinearTurn) return;
+  calibrated.traced = state_.history.trace(state_.path.mixed.mean);
+  for (const PathPiece& piece : state_.history.pieces()) calibrated.before.push_back(piece.begin);
+  state_.history.accept(calibrated.traced);
+  state_.explored_min = state_.explored_max = Eigen::Vector2d::Zero();
+  for (const Traced& traced : calibrated.traced) {
+    const Eigen::Vector2d there(traced.pose.x, traced.pose.y);
+    state_.explored_min = state_.explored_min.cwiseMin(there);
+    state_.explored_max = state_.explored_max.cwiseMax(there);
+  }
+}
+
+void BumpNetwork::moveWithPath(const Recalibration& calibrated, LearnedPattern& learned) const {
+  if (calibrated.traced.empty()) return;
+  const auto k = static_cast<std::size_t>(learned.piece);
+  const FiringPattern from = patternAt(calibrated.before[k]);
+  Traced there = calibrated.traced[k];
+  const PlanarPose offset = code_.between(from, learned.pattern);
+  there.move(offset, Eigen::Matrix3d::Zero(), {});
+  const Residues heights = learned.pattern.heights;
+  learned.pattern = patternAt(there.pose);
+  learned.pattern.heights = heights;
+  learned.covariance = there.covariance;
+  learned.errors = there.errors;
 }
 
 /// Covariance of the integrator relative to the origin of its part.
@@ -254,9 +301,8 @@ double BumpNetwork::logRatioOfNewBump(const LearnedPattern& learned, const Bump&
   const Eigen::Matrix3d noise = uncertainty(learned) + seen.covariance;
   double density = 0;
   for (const ErrorEstimate& estimate : state_.path.estimates) {
-    const Apart away = apart(here, seen, errors, estimate);
-    density += std::exp(estimate.log_weight +
-                        logStudent(away.difference, noise + away.covariance, settings_.tail));
+    density +=
+        std::exp(estimate.log_weight) * judge(estimate, seen, learned, errors, noise).density;
   }
   const double ratio = std::log(std::max(density, 1e-300)) - logDensityOfLookAlike();
   return ratio - 0.5 * squaredClimb(code_.climb(here.centre, seen.centre),
@@ -315,6 +361,31 @@ Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPos
   return accept(winner, learned);
 }
 
+/// Moves the integrator to the bump; a stretch of the path begins. What is known of the path's
+/// errors then may move all patterns.
+void BumpNetwork::arriveAt(const Bump& bump, LearnedPattern learned, Recalibration& calibrated) {
+  Bump here = bump;
+  if (settings_.recalibrate) {
+    const PlanarPose offset = code_.between(learned.pattern, bump.centre);
+    const double heading = bump.centre.heading;
+    recalibrate(bump, learned);
+    retrace(calibrated);
+    if (!calibrated.traced.empty()) {
+      moveWithPath(calibrated, learned);
+      const Residues heights = here.centre.heights;
+      here.centre = code_.displaced(learned.pattern, offset);
+      here.centre.heights = heights;
+      const Eigen::Vector2d away = code_.difference(learned.pattern, here.centre).head<2>();
+      here.errors = displaced(learned.errors, away);
+      here.covariance = turned(here.covariance, here.centre.heading - heading);
+    }
+    state_.history.jump(learned.piece, fromPiece(learned.piece, here.centre),
+                        turned(here.covariance, -state_.history.beginOf(learned.piece).theta));
+  }
+  state_.integrator = here;
+  state_.stretch_start = {learned.pattern, learned.covariance, learned.height_variance};
+}
+
 /// Moves the integrator to the winner. A new stretch of the path begins.
 Recalibration BumpNetwork::accept(const CalibrationBump& winner, const LearnedPattern& learned) {
   Recalibration calibrated;
@@ -329,19 +400,21 @@ Recalibration BumpNetwork::accept(const CalibrationBump& winner, const LearnedPa
   calibrated.origin_height = learned.height_variance;
   if (winner.part != state_.part) {
     calibrated.joined_part = state_.part;
-  } else if (settings_.recalibrate) {
-    recalibrate(winner.bump, learned);
+    state_.history.join(learned.piece, fromPiece(learned.piece, winner.bump.centre));
+    state_.integrator = winner.bump;
+    state_.stretch_start = {learned.pattern, learned.covariance, learned.height_variance};
+  } else {
+    arriveAt(winner.bump, learned, calibrated);
   }
   state_.part = winner.part;
-  state_.integrator = winner.bump;
-  state_.stretch_start = {learned.pattern, learned.covariance, learned.height_variance};
   ++state_.stretch;
   state_.right += winner.views;
   state_.calibration.clear();
   return calibrated;
 }
 
-void BumpNetwork::moveToJoinedPart(const Recalibration& calibrated, LearnedPattern& learned) const {
+void BumpNetwork::follow(const Recalibration& calibrated, LearnedPattern& learned) const {
+  moveWithPath(calibrated, learned);
   if (learned.part != calibrated.joined_part) return;
   const FiringPattern& from = calibrated.from.centre;
   const FiringPattern& to = calibrated.to.centre;

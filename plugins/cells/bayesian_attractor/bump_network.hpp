@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "conjunctive_code.hpp"
+#include "path_history.hpp"
 
 namespace tolman::bayesian_attractor {
 
@@ -53,6 +54,7 @@ struct LearnedPattern {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< relative to its part's origin
   double height_variance = 0;                            ///< m^2, likewise
   PathErrors errors = {};                                ///< likewise
+  std::int64_t piece = 0;                                ///< of the path (PathHistory)
 };
 
 /// A hypothesis.
@@ -82,6 +84,7 @@ struct NetworkState {
   std::int64_t views = 0;        ///< familiar views that were injected
   std::int64_t right = 0;        ///< of these, views of bumps that were accepted
   RunningCalibration path = {};  ///< what loops say of path integration
+  PathHistory history = {};
 };
 
 /// Outcome of an injection: the bump that the view was injected into, and whether it was accepted.
@@ -97,6 +100,9 @@ struct Recalibration {
   std::int64_t part = 0;          ///< the part that they belong to afterwards
   Eigen::Matrix3d origin = Eigen::Matrix3d::Zero();  ///< covariance to add to theirs
   double origin_height = 0;                          ///< m^2, variance to add to theirs
+  /// Where the pieces of the path began, and where they begin since it was traced again.
+  std::vector<PlanarPose> before = {};
+  std::vector<Traced> traced = {};
 };
 
 class BumpNetwork {
@@ -122,8 +128,9 @@ class BumpNetwork {
   bool onOneStorey(const LearnedPattern& a, const LearnedPattern& b) const;
   /// The pattern of the integrator, to be linked to a view.
   LearnedPattern currentPattern() const;
-  /// Moves a learned pattern of a part that has been joined with another.
-  void moveToJoinedPart(const Recalibration& calibrated, LearnedPattern& learned) const;
+  /// Moves a learned pattern with the path, where that was traced again, and with its part, where
+  /// that was joined with another.
+  void follow(const Recalibration& calibrated, LearnedPattern& learned) const;
 
   double share(double energy) const;
   const ConjunctiveCode& code() const { return code_; }
@@ -145,13 +152,22 @@ class BumpNetwork {
   PathErrors errorsBetween(const Bump& here, const Bump& there) const;
   Apart apart(const Bump& here, const Bump& there, const PathErrors& errors,
               const ErrorEstimate& estimate) const;
+  TracedLoop judge(const ErrorEstimate& estimate, const Bump& seen, const LearnedPattern& learned,
+                   const PathErrors& errors, const Eigen::Matrix3d& noise) const;
   void fuse(Bump& bump, const Bump& seen) const;
   void recalibrate(const Bump& winner, const LearnedPattern& learned);
+  void retrace(Recalibration& calibrated);
+  PlanarPose fromPiece(std::int64_t piece, const FiringPattern& pattern) const;
+  FiringPattern patternAt(const PlanarPose& pose) const {
+    return code_.displaced(code_.origin(), pose);
+  }
+  void moveWithPath(const Recalibration& calibrated, LearnedPattern& learned) const;
   Eigen::Matrix3d covarianceInPart() const;
   Eigen::Matrix3d propagatedTo(const FiringPattern& there, const Bump& bump) const;
   Eigen::Matrix3d uncertainty(const LearnedPattern& learned) const;
   double heightUncertainty(const LearnedPattern& learned) const;
   CalibrationBump* findAgreeingBump(const Bump& seen, std::int64_t part, double& log_density);
+  void arriveAt(const Bump& bump, LearnedPattern learned, Recalibration& calibrated);
   Recalibration accept(const CalibrationBump& winner, const LearnedPattern& learned);
   CalibrationBump* insertBump(const CalibrationBump& bump);
 

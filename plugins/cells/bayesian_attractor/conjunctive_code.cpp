@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conjunctive_code.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
@@ -86,6 +87,12 @@ Eigen::Matrix3d displacementJacobian(const Eigen::Vector2d& displacement) {
   J(0, 2) = -displacement.y();
   J(1, 2) = displacement.x();
   return J;
+}
+
+Eigen::Matrix3d absolute(const Eigen::Matrix3d& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spectrum(symmetric);
+  const Eigen::Matrix3d& V = spectrum.eigenvectors();
+  return V * spectrum.eigenvalues().cwiseAbs().asDiagonal() * V.transpose();
 }
 
 double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance) {

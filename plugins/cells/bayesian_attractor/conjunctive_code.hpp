@@ -76,6 +76,8 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle);
 /// Derivative of the pose (x, y, heading) after a displacement (m, axes of heading 0) with respect
 /// to the pose before it.
 Eigen::Matrix3d displacementJacobian(const Eigen::Vector2d& displacement);
+/// The matrix with the same eigenvectors and the absolute values of the eigenvalues.
+Eigen::Matrix3d absolute(const Eigen::Matrix3d& symmetric);
 /// d' S^-1 d, with the chord instead of the arc in heading, as in the von Mises distribution.
 double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance);
 

@@ -9,7 +9,7 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 constexpr std::string_view kMagic = "TLMBAYES";
-constexpr std::uint64_t kStateVersion = 8;
+constexpr std::uint64_t kStateVersion = 9;
 
 /// Writes each number that it is called with.
 class Saver {
@@ -74,6 +74,29 @@ void bump(Archive& archive, Bump& bump) {
   pathErrors(archive, bump.errors);
 }
 
+template <class Archive, class Pose>
+void pose(Archive& archive, Pose& pose) {
+  for (auto* number : {&pose.x, &pose.y, &pose.theta}) archive(*number);
+}
+
+template <class Archive>
+void history(Archive& archive, std::vector<PathPiece>& pieces, PlanarPose& here) {
+  const std::int64_t count = counted(archive, pieces.size());
+  if constexpr (Archive::kLoads) pieces.clear();
+  for (std::int64_t i = 0; i < count && goesOn(archive); ++i) {
+    if constexpr (Archive::kLoads) pieces.emplace_back();
+    PathPiece& piece = pieces[static_cast<std::size_t>(i)];
+    archive(piece.origin);
+    archive(piece.unknown);
+    pose(archive, piece.motion);
+    numbers(archive, piece.noise);
+    numbers(archive, piece.effect);
+    archive(piece.length);
+    pose(archive, piece.begin);
+  }
+  pose(archive, here);
+}
+
 template <class Archive, class State>
 void network(Archive& archive, State& state, const Bump& fresh) {
   bump(archive, state.integrator);
@@ -89,6 +112,10 @@ void network(Archive& archive, State& state, const Bump& fresh) {
   }
   numbers(archive, state.path.log_factors);
   if constexpr (Archive::kLoads) state.path.mix();
+  std::vector<PathPiece> pieces = state.history.pieces();
+  PlanarPose here = state.history.here();
+  history(archive, pieces, here);
+  if constexpr (Archive::kLoads) state.history.restore(std::move(pieces), here);
   archive(state.travel);
   numbers(archive, state.explored_min);
   numbers(archive, state.explored_max);
@@ -113,6 +140,7 @@ void link(Archive& archive, Link& link) {
   numbers(archive, link.learned.covariance);
   archive(link.learned.height_variance);
   pathErrors(archive, link.learned.errors);
+  archive(link.learned.piece);
   archive(link.travel);
   archive(link.experience);
   numbers(archive, link.T_experience_template.matrix());
@@ -153,16 +181,26 @@ bool isSound(const AttractorState& state) {
   const ExperienceLog::State log = state.log.state();
   const auto known = static_cast<std::int64_t>(log.travel_when_left.size());
   const auto exists = [&](std::int64_t id) { return id >= 0 && id < known; };
+  const std::vector<PathPiece>& pieces = state.network.state().history.pieces();
+  const auto traced = [&](const ViewLink& link) {
+    return link.learned.piece >= 0 && link.learned.piece < static_cast<std::int64_t>(pieces.size());
+  };
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].origin >= static_cast<std::int64_t>(k)) return false;
+  }
   if (!(log.current == -1 && known == 0) && !exists(log.current)) return false;
   for (const auto& [id, storeys] : state.links) {
-    if (id < 0 || !std::ranges::all_of(storeys, exists, &ViewLink::experience)) return false;
+    if (id < 0 || !std::ranges::all_of(storeys, exists, &ViewLink::experience) ||
+        !std::ranges::all_of(storeys, traced)) {
+      return false;
+    }
   }
   for (const WaitingLoop& waiting : state.waiting.list()) {
     if (waiting.loop.frame < 0 || !exists(waiting.loop.experience)) return false;
   }
   const NetworkState& network = state.network.state();
-  return network.parts > network.part && network.part >= 0 && network.right >= 0 &&
-         network.views >= 0;
+  return !pieces.empty() && network.parts > network.part && network.part >= 0 &&
+         network.right >= 0 && network.views >= 0;
 }
 
 void saveLinks(Saver& saver, const AttractorState& state) {

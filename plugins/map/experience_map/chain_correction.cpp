@@ -46,8 +46,13 @@ Status ExperienceChain::correctFinally(const DeadReckoning& path, int iterations
   if (last_visit_ == 0) return Status::ok();
   Status status =
       optimiseAll(path, {.iterations = iterations, .tolerance = tolerance}, Effort::Final);
+  rejected_ = 0;
   for (Anchor& anchor : anchors_) {
     anchor.rejected = anchor.visit && anchor.offset_weight < parameters_.min_loop_weight;
+    rejected_ += anchor.rejected ? 1 : 0;
+  }
+  if (status.isOk() && rejected_ > 0) {
+    status = optimiseAll(path, {.iterations = iterations, .tolerance = tolerance}, Effort::Refined);
   }
   countLinks();  // the odometry link after a rejected visit starts before that visit
   return status;
@@ -132,6 +137,7 @@ Status ExperienceChain::optimiseIn(const DeadReckoning& path, OptimiserOptions o
   // learned from the loops that remain without it.
   if (effort == Effort::Online || std::is_same_v<G, Space>)
     holdErrors<G>(found, std::is_same_v<G, Space>);
+  if (effort == Effort::Refined) return refine<G>(options, reckoned, found);
   const PathParts joined = parts();
   std::vector<typename G::Pose> start;  // the other arrangements of the parts begin there
   if (joined.count() > 1) start = found.nodes;
@@ -153,6 +159,28 @@ Status ExperienceChain::optimiseIn(const DeadReckoning& path, OptimiserOptions o
   calibration_.errors.template head<kErrors<G>>() = found.errors.b;
   pending_ = !best.converged;
   apply<G>(reckoned, found);
+  return Status::ok();
+}
+
+/// Even a rejected loop pulls a little at the map, and one of a long way much at the steady errors.
+template <class G>
+Status ExperienceChain::refine(const OptimiserOptions& options,
+                               const std::vector<typename G::Pose>& reckoned, PoseGraph<G>& graph) {
+  std::size_t loop = anchors_.size() - 1;
+  for (const Anchor& anchor : anchors_) {
+    if (!anchor.visit) continue;
+    PoseLink<G>& link = graph.links[loop++];
+    if (!anchor.rejected) continue;
+    link.robust = false;
+    link.weight = 0;
+  }
+  if (parameters_.recalibrate) centreAssumedLoops<G>(graph);
+  BorderedSystem<G> system;
+  const Result<OptimiserOutcome> outcome = optimise<G>(options, graph, system);
+  if (!outcome.isOk()) return outcome.status();
+  if (parameters_.recalibrate) noteCalibration<G>(graph, system);
+  noteResiduals<G>(graph);
+  apply<G>(reckoned, graph);
   return Status::ok();
 }
 
@@ -278,7 +306,8 @@ void ExperienceChain::apply(const std::vector<typename G::Pose>& reckoned,
     Anchor& anchor = anchors_[i];
     anchor.correction = lifted(compose(graph.nodes[i], between(reckoned[i], G::identity())));
     anchor.odometry_weight = graph.links[i - 1].weight;
-    if (anchor.visit) anchor.offset_weight = graph.links[loop++].weight;
+    if (anchor.visit && graph.links[loop].robust) anchor.offset_weight = graph.links[loop].weight;
+    loop += anchor.visit ? 1 : 0;
   }
 }
 

@@ -108,6 +108,8 @@ class ExperienceChain {
   /// What the loops taught about odometry.
   const PathCalibration& calibration() const { return calibration_; }
   const Assumptions& assumptions() const { return assumptions_; }
+  /// Loops that the final correction has rejected.
+  std::int64_t rejected() const { return rejected_; }
   std::size_t loopsWhenEstimated() const { return loops_when_estimated_; }
   /// After the final correction: distances of accepted loops from the map, in the standard
   /// deviations that were assumed for them.
@@ -157,7 +159,8 @@ class ExperienceChain {
   PoseLink<G> odometryLink(const DeadReckoning& path, std::size_t i, const PathParts& parts) const;
   template <class G>
   PoseLink<G> loopLink(const DeadReckoning& path, std::size_t i) const;
-  enum class Effort : std::uint8_t { Online, Final };
+  /// Refined: once more from where the map is, without the loops that are rejected.
+  enum class Effort : std::uint8_t { Online, Final, Refined };
   Status optimiseAll(const DeadReckoning& path, OptimiserOptions options, Effort effort);
   template <class G>
   Status optimiseIn(const DeadReckoning& path, OptimiserOptions options, Effort effort);
@@ -181,6 +184,9 @@ class ExperienceChain {
   template <class G>
   Status learnFrom(const OptimiserOptions& options, Learned<G>& learned, BorderedSystem<G>& system);
   template <class G>
+  Status refine(const OptimiserOptions& options, const std::vector<typename G::Pose>& reckoned,
+                PoseGraph<G>& graph);
+  template <class G>
   void centreAssumedLoops(PoseGraph<G>& graph) const;
   template <class G>
   void noteCalibration(const PoseGraph<G>& graph, BorderedSystem<G>& system);
@@ -197,6 +203,7 @@ class ExperienceChain {
   std::vector<std::size_t> begins_ = {0};   ///< anchors at which parts of the path begin
   std::int64_t links_ = 0;
   std::int64_t loops_ = 0;
+  std::int64_t rejected_ = 0;
   std::size_t last_visit_ = 0;  ///< anchor; 0 for none
   bool measured_ = false;       ///< a visit has a measured offset
   bool pending_ = false;

@@ -26,6 +26,7 @@ Status ExperienceMap::configure(const Context& context) {
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
   log_ = &context.log;
+  findings_ = &context.findings;
   return reset();
 }
 
@@ -217,9 +218,29 @@ void ExperienceMap::reportErrors() const {
   const auto far =
       static_cast<std::size_t>(residuals.end() - std::ranges::upper_bound(residuals, kFar));
   if (far < kFewestFar || 10 * far < residuals.size()) return;
-  log_->warning(std::to_string(far) + " of " + std::to_string(residuals.size()) +
-                " loop links are more than three standard deviations from the map: the map is "
-                "wrong there, or the poses that views measure are less certain than they say");
+  findings_->add({Finding::Severity::Warning, "map",
+                  std::to_string(far) + " of " + std::to_string(residuals.size()) +
+                      " loop links are more than three standard deviations from the map: " +
+                      causeOfResiduals(),
+                  "see where the lines between experiences are long in the report's map; give the "
+                  "cells fewer look-alikes, or the views the errors that they have"});
+}
+
+/// What the learned errors say of loops that do not fit.
+std::string ExperienceMap::causeOfResiduals() const {
+  constexpr double kNoisier = 1.7;  // as in describe()
+  const Assumptions& learned = chain_.assumptions();
+  const std::int64_t rejected = chain_.rejected();
+  if (10 * rejected > chain_.loops()) {
+    return std::to_string(rejected) + " further ones are rejected as false, and these may be too";
+  }
+  if (std::max(learned.loop_distance, learned.loop_turns) > kNoisier) {
+    return "the poses that views measure are less certain than they say";
+  }
+  if (std::max(learned.odometry_distance, learned.odometry_turns) > kNoisier) {
+    return "odometry is noisier than it says, or its errors change on the way";
+  }
+  return "the map is wrong there, or the views are of other places";
 }
 
 Status ExperienceMap::finish(const std::vector<MotionRevision>& revisions) {

@@ -44,10 +44,12 @@ class ExperienceMap final : public Map, public StateKeeper {
   void noteCorrection(const Status& status);
   bool correctionDue() const;
   void reportErrors() const;
+  std::string causeOfResiduals() const;
   void report(MapUpdate& update) const;
 
   Parameters parameters_;
   Logger* log_ = nullptr;
+  FindingCollector* findings_ = nullptr;
   DeadReckoning motions_;
   ExperienceChain chain_;
   std::int64_t version_ = 0;

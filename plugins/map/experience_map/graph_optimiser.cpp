@@ -90,7 +90,7 @@ class GaussNewton {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       const double chi = chi_square_[k];
       if (!links_[k].robust) {
-        sum += chi;
+        sum += links_[k].weight * chi;
       } else if (options_.loss == Loss::GemanMcclure) {
         sum += bound * chi / (bound + chi);
       } else {
@@ -222,6 +222,81 @@ Result<OptimiserOutcome> optimise(const OptimiserOptions& options, PoseGraph<G>&
   return converged.status();
 }
 
+namespace {
+
+/// Steady turns per metre that the headings of most loops agree with, the likeliest first. Headings
+/// are linear in the turn, however the shape of the path changes, but leave out whole turns.
+template <class G>
+std::vector<ErrorsOf<G>> turnsOfMostLoops(const PoseGraph<G>&) {
+  return {};
+}
+
+template <>
+std::vector<ErrorsOf<Plane>> turnsOfMostLoops<Plane>(const PoseGraph<Plane>& graph) {
+  constexpr int kTurn = steady_error::kTurnPerMetre;
+  constexpr double kRange = 3;      // standard deviations of the prior
+  constexpr double kStep = 0.1;     // rad, of the longest loop; chosen, not tuned
+  constexpr double kBound = 16;     // squared standard deviations; chosen, not tuned
+  constexpr std::size_t kMost = 3;  // turns; with the next one bounds the time
+  constexpr double kMostSteps = 2000;
+  constexpr std::size_t kFewest = 20;  // loops; a few false ones agree by chance; on 06
+  const std::size_t count = graph.errors.effects.size();
+  std::vector<Eigen::Vector3d> sums = {Eigen::Vector3d::Zero()};  // turn, effect, variance
+  for (std::size_t k = 0; k < count; ++k) {
+    sums.push_back(sums.back() + Eigen::Vector3d(graph.errors.reported[k].theta,
+                                                 graph.errors.effects[k](2, kTurn),
+                                                 graph.links[k].covariance(2, 2)));
+  }
+  std::vector<Eigen::Vector3d> loops;  // turn that is missing, effect, precision
+  double longest = 0;
+  for (std::size_t k = count; k < graph.links.size() && count > 0; ++k) {
+    const PlanarLink& link = graph.links[k];
+    const Eigen::Vector3d way = sums[link.to] - sums[link.from];
+    loops.emplace_back(link.pose.theta - way[0], way[1], 1 / (way[2] + link.covariance(2, 2)));
+    longest = std::max(longest, std::abs(way[1]));
+  }
+  if (longest <= 0 || loops.size() < kFewest) return {};
+  const double precision = graph.errors.precision[kTurn];
+  const double range = kRange / std::sqrt(precision);
+  const double step = std::max(kStep / longest, 2 * range / kMostSteps);
+  std::vector<std::pair<double, double>> scan;  // cost, turn
+  for (int i = -static_cast<int>(range / step); i * step <= range; ++i) {
+    const double turn = i * step;
+    double cost = precision * turn * turn;
+    for (const Eigen::Vector3d& loop : loops) {
+      const double off = wrapAngle(loop[0] - turn * loop[1]);
+      const double chi_square = off * off * loop[2];
+      cost += kBound * chi_square / (kBound + chi_square);
+    }
+    scan.emplace_back(cost, turn);
+  }
+  std::vector<std::pair<double, double>> minima;
+  for (std::size_t i = 1; i + 1 < scan.size(); ++i) {
+    if (scan[i].first < scan[i - 1].first && scan[i].first <= scan[i + 1].first)
+      minima.push_back(scan[i]);
+  }
+  std::ranges::sort(minima);
+  std::vector<ErrorsOf<Plane>> turns;
+  for (std::size_t i = 0; i < std::min(kMost, minima.size()); ++i) {
+    turns.emplace_back(minima[i].second * ErrorsOf<Plane>::Unit(kTurn));
+  }
+  return turns;
+}
+
+/// Dead reckoning with these errors.
+template <class G>
+std::vector<typename G::Pose> traced(PoseGraph<G>& graph, const ErrorsOf<G>& errors) {
+  graph.errors.b = errors;
+  graph.errors.correct(graph.links);
+  std::vector<typename G::Pose> nodes = {graph.nodes.front()};
+  for (std::size_t k = 0; k + 1 < graph.nodes.size(); ++k) {
+    nodes.push_back(compose(nodes.back(), graph.links[k].pose));
+  }
+  return nodes;
+}
+
+}  // namespace
+
 template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             const std::vector<typename G::Pose>& reckoned,
@@ -262,6 +337,9 @@ Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
     without_loops.push_back(link.robust ? kRejectedWeight : 1);
   }
   attempt(reckoned, ErrorsOf<G>::Zero(), without_loops);
+  for (const ErrorsOf<G>& turn : turnsOfMostLoops<G>(graph)) {
+    attempt(traced<G>(graph, turn), turn, without_loops);
+  }
   graph.nodes = std::move(kept_nodes);
   graph.errors.b = kept_errors;
   graph.errors.correct(graph.links);

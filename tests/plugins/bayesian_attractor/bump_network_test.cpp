@@ -182,7 +182,7 @@ TEST_CASE("after startPart() views that agree accept a bump, and the two parts a
   CHECK(calibrated.joined_part == 1);
   CHECK(network.state().part == 0);
   const PlanarPose before = network.code().between(calibrated.from.centre, meanwhile.pattern);
-  network.moveToJoinedPart(calibrated, meanwhile);
+  network.follow(calibrated, meanwhile);
   CHECK(meanwhile.part == 0);
   const PlanarPose after = network.code().between(calibrated.to.centre, meanwhile.pattern);
   CHECK(after.x == Approx(before.x));
