@@ -25,8 +25,8 @@ constexpr double kMinPrior = 0.001;
 constexpr double kMaxPrior = 0.9;
 /// Turn, in rad, up to which the shape of a path is linear in its steady errors. Chosen, not tuned.
 constexpr double kLinearTurn = 0.3;
-/// Most nats that a closed loop counts whose way must be bent to close. Chosen on 00 and 06, with
-/// odometry that turns too far and with look-alikes, among 0 to 4.
+/// Most nats that a closed loop counts whose way must be bent to close. Chosen among 0 to 4 on 00,
+/// 06 and 02, with odometry that turns too far and with look-alikes of the seeds 11 and 12.
 constexpr double kMostBent = 1;
 /// Standard deviation of a turn above which it is found by tracing, rad.
 constexpr double kOpenTurn = 2 * kLinearTurn;
