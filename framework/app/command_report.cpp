@@ -77,10 +77,10 @@ void exportByPython(const std::string& kind, const ExportCommand& asked, const c
   const std::string packages =
       (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
   const fs::path file = asked.folder() / ("run." + kind);
-  host::ChildProcess python(
-      {"/usr/bin/env", "-u", "PYTHONHOME", "PYTHONPATH=" + packages, "/usr/bin/python3", "-m",
-       "tolman." + kind, "--force", "--quiet", asked.run, file.string()},
-      {});
+  host::ChildProcess python({"/usr/bin/env", "-u", "PYTHONHOME", "-u", "PYTHONINSPECT", "-u",
+                             "PYTHONHASHSEED", "PYTHONPATH=" + packages, "/usr/bin/python3", "-m",
+                             "tolman." + kind, "--force", "--quiet", asked.run, file.string()},
+                            {});
   const host::ProcessEnd end = python.end(std::chrono::hours(24));
   if (end.signal == 0 && end.exit_code == 0) {
     written.push_back(file);

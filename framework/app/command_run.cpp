@@ -10,6 +10,7 @@
 #include "app/options.hpp"
 #include "app/summary.hpp"
 #include "engine/checked_system.hpp"
+#include "engine/provenance.hpp"
 #include "engine/run.hpp"
 #include "record/digest.hpp"
 
@@ -97,11 +98,19 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
     files[file] = is_same ? "same" : in_both ? "differs" : "is in one of the runs only";
     same = same && is_same;
   }
+  std::vector<std::string> changed;
+  if (!same) {
+    changed = engine::changedInputs(record::RunDirectory::readRunFile(before),
+                                    record::RunDirectory::readRunFile(after));
+  }
   if (invocation.json) {
-    std::cout << jsonText(Json{{"same", same}, {"files", files}});
+    std::cout << jsonText(Json{{"same", same}, {"files", files}, {"changed", changed}});
   } else if (!invocation.quiet) {
     for (const auto& [file, text] : files.items()) {
       std::cout << fmt::format("{:<20}{}\n", file, text.get<std::string>());
+    }
+    for (const std::string& file : changed) {
+      std::cout << fmt::format("{} has other contents\n", file);
     }
   }
   if (same) return ExitCode::Ok;

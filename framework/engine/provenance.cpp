@@ -216,6 +216,22 @@ std::vector<std::string> changedProgramFiles(const Json& before, const Json& now
   return {changed.begin(), changed.end()};
 }
 
+std::vector<std::string> changedInputs(const Json& before, const Json& now) {
+  std::vector<std::string> changed = changedProgramFiles(
+      before, now, {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map});
+  const auto contents = [](const Json& data) {
+    return std::pair(data.value("bytes", 0LL), data.value("sha256", std::string()));
+  };
+  for (const Json& data : now.value("data", Json::array())) {
+    const Json then = before.value("data", Json::array());
+    if (std::ranges::none_of(then,
+                             [&](const Json& old) { return contents(old) == contents(data); })) {
+      changed.push_back(data.at("path").get<std::string>());
+    }
+  }
+  return changed;
+}
+
 std::string newRunId(Json run_file, bool is_realtime) {
   if (is_realtime) {
     run_file["time_ns"] = std::chrono::system_clock::now().time_since_epoch().count();

@@ -31,6 +31,10 @@ std::vector<std::string> changedProgramFiles(const nlohmann::ordered_json& befor
                                              const nlohmann::ordered_json& now,
                                              std::initializer_list<Role> roles);
 
+/// Program files of all stages and data that have other contents than before.
+std::vector<std::string> changedInputs(const nlohmann::ordered_json& before,
+                                       const nlohmann::ordered_json& now);
+
 /// The value of a parameter as JSON.
 inline nlohmann::ordered_json valueJson(const ParameterValue& value) {
   return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);

@@ -39,16 +39,8 @@ void refuseOthers(const fs::path& run, const RunJson& before, const RunJson& now
                     "{}); resume it with that one, or run it again",
                     file, before["tolman"].dump(), now["tolman"].dump()));
   }
-  std::vector<std::string> changed = changedProgramFiles(
-      before, now, {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map});
-  if (changed.empty() && others("data")) {
-    const nlohmann::json then = before["data"];
-    const auto other = std::ranges::find_if(now["data"], [&](const auto& data) {
-      return std::ranges::find(then, nlohmann::json(data)) == then.end();
-    });
-    changed.push_back(other == now["data"].end() ? "the list of files"
-                                                 : (*other)["path"].template get<std::string>());
-  }
+  std::vector<std::string> changed = changedInputs(before, now);
+  if (changed.empty() && others("data")) changed.emplace_back("the list of files");
   if (changed.empty()) return;
   refuseToContinue(changed.front() + ": has other contents than when the run began (" + file +
                    "); put it back, or run it again");

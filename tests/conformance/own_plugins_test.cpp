@@ -27,13 +27,13 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   if (id == "kitti") return {"--set", path(sequence)};
   if (id == "images") return {"--set", path(sequence / "image_0")};
   if (id == "video") {  // how many pictures there are is known at their end
-    return {"--set", path(sequence / "video.avi"), "--set", "last=-1"};
+    return {"--set", path(sequence / "video.avi"), "--set", "first=0", "--set", "last=-1"};
   }
   if (id == "ros_bag") return {"--set", path(sequence / "bag.mcap")};
   if (id == "euroc") return {"--set", path(sequence.parent_path() / "euroc")};
   if (id == "kitti_raw") return {"--set", path(sequence.parent_path() / "raw/drive")};
   if (id == "tum") {
-    return {"--set", path(sequence.parent_path() / "tum"), "--set", "cx=80", "--set", "cy=30"};
+    return {"--set", path(sequence.parent_path() / "tum"), "--set", "pinhole=[525, 525, 80, 30]"};
   }
   if (id == "motion_log") return {"--set", path(sequence)};
   if (id == "record") return {"--set", path(sequence.parent_path() / "recorded")};
