@@ -7,7 +7,6 @@
 #include "app/progress_line.hpp"
 #include "experiment/bench.hpp"
 #include "experiment/bench_places.hpp"
-#include "experiment/place_truth.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {
@@ -20,41 +19,20 @@ std::string isOfPlace(const std::string& override) {
   return is_parameter ? "" : "'" + override + "' is no parameter of place (place.NAME=VALUE)";
 }
 
-/// A progress line for each pass, on stderr.
-class PassProgress {
- public:
-  PassProgress(std::int64_t most_frames, const Invocation& invocation)
-      : most_frames_(most_frames), invocation_(invocation) {}
-
-  experiment::BenchProgress callbacks() {
-    return {[this](std::int64_t frames) {
-              line_ = std::make_unique<ProgressLine>(std::cerr, clock_, terminalOf(invocation_),
-                                                     framesToCome(most_frames_, frames));
-            },
-            [this] { line_->step(); }, [this] { line_.reset(); }};
-  }
-
- private:
-  std::int64_t most_frames_;
-  const Invocation& invocation_;
-  engine::SteadyClock clock_;
-  std::unique_ptr<ProgressLine> line_;
-};
-
 /// Measures by `run`, then prints the result.
-template <class Run, class Options, class Text, class Json>
-ExitCode bench(const Run& run, Options options, const Text& text, const Json& json,
-               const Invocation& invocation) {
+template <class Run, class Options>
+ExitCode bench(const Run& run, Options options, const Invocation& invocation) {
   const engine::Interrupts interrupts;  // before anything that starts threads
   engine::RunLog log(invocation.quiet);
-  PassProgress progress(options.frames, invocation);
-  options.progress = progress.callbacks();
+  const engine::SteadyClock clock;
+  options.progress = [&, most = options.frames](std::int64_t frames) {
+    const auto line = std::make_shared<ProgressLine>(std::cerr, clock, terminalOf(invocation),
+                                                     framesToCome(most, frames));
+    return [line] { line->step(); };
+  };
   const auto measured = run(options, log, interrupts);
-  if (invocation.json) {
-    std::cout << jsonText(json(measured));
-  } else {
-    std::cout << text(measured);
-  }
+  const experiment::Table table = experiment::tableOf(measured);
+  std::cout << (invocation.json ? experiment::jsonOf(table) : experiment::textOf(table));
   return measured.interrupted ? ExitCode::Interrupted : ExitCode::Ok;
 }
 
@@ -138,8 +116,7 @@ void addPlacesCommand(CLI::App& bench_command, Invocation& invocation) {
       curves.insert(curves.begin(), {measured.name, measured.curve});
       return measured;
     };
-    invocation.exit_code =
-        bench(run, *options, experiment::placesBenchText, experiment::placesBenchJson, invocation);
+    invocation.exit_code = bench(run, *options, invocation);
     figure->write(curves);
   });
 }
@@ -161,8 +138,7 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
     const auto run = [&](auto&&... arguments) {
       return experiment::runBench(reader->read(invocation), arguments...);
     };
-    invocation.exit_code =
-        bench(run, *options, experiment::benchText, experiment::benchJson, invocation);
+    invocation.exit_code = bench(run, *options, invocation);
   });
 }
 

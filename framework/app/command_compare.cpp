@@ -8,7 +8,7 @@
 
 #include "app/options.hpp"
 #include "config/text.hpp"
-#include "experiment/comparison_figure.hpp"
+#include "experiment/figures.hpp"
 #include "record/data_digest.hpp"
 #include "record/output_places.hpp"
 #include "report/raster.hpp"

@@ -7,9 +7,9 @@
 #include "app/eval_scoring.hpp"
 #include "app/options.hpp"
 #include "app/summary.hpp"
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
+#include "experiment/figures.hpp"
 #include "record/output_places.hpp"
-#include "report/axes.hpp"
 
 namespace tolman::app {
 namespace {
@@ -119,14 +119,11 @@ void writeFigure(const EvalFiles& files, const std::vector<Evaluated>& all) {
     curves.push_back({std::filesystem::path(files.estimates[i]).filename().string(),
                       report::lineColour(i), scores.driven_m, scores.errors_m});
   }
-  const double top = 30 + report::Axes::legendHeight(report::legendOf(curves), 780);
-  report::Svg svg(880, 350 + top);
-  report::plot(
-      svg,
-      {"Position error after alignment", "driven path (m)", "error (m)", report::Range::none(),
-       report::Range::none(), report::frame(70, top, 850, 300 + top)},
-      curves);
-  failUnless(record::writeTogether({{files.figure, svg.take()}}, "--figure"));
+  const auto free = report::Range::none();
+  const std::string svg = experiment::curveFigure(
+      {"Position error after alignment", "driven path (m)", "error (m)", free, free, {}}, curves,
+      {880, 380});
+  failUnless(record::writeTogether({{files.figure, svg}}, "--figure"));
 }
 
 void evaluateAll(const EvalFiles& files, const Invocation& invocation) {

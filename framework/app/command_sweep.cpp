@@ -12,7 +12,7 @@
 #include "config/text.hpp"
 #include "config/values.hpp"
 #include "experiment/run_table.hpp"
-#include "experiment/sweep_runs.hpp"
+#include "experiment/sweep_folder.hpp"
 #include "host/child_process.hpp"
 #include "host/scratch_folder.hpp"
 #include "record/atomic_file.hpp"
@@ -47,34 +47,6 @@ std::string jobsText(const experiment::JobsState& state) {
   return text;
 }
 
-/// Progress on stderr: on a terminal a line that is redrawn, otherwise one for each run that has
-/// ended.
-class SweepDisplay : public experiment::JobsListener {
- public:
-  explicit SweepDisplay(Terminal terminal) : terminal_(terminal) {}
-
-  void onState(const experiment::JobsState& state) override {
-    constexpr double kRedraw = 0.2;  // s between two drawings
-    if (!terminal_.interactive || state.seconds - shown_s_ < kRedraw) return;
-    shown_s_ = state.seconds;
-    line_.show(jobsText(state) + ": " + config::listed(state.running));
-  }
-
-  void onEnd(const PlannedRun& run, const experiment::PointOutcome& outcome,
-             const experiment::JobsState& state) override {
-    const bool failed = outcome.state == PointState::Failed;
-    if (!failed && (terminal_.interactive || terminal_.quiet)) return;
-    line_.add(fmt::format("{:<20} {:<7} {:7.1f} s  {}", jobsText(state), enumName(outcome.state),
-                          outcome.wall_s, run.name) +
-              (failed ? "\n    " + outcome.message : ""));
-  }
-
- private:
-  Terminal terminal_;
-  StatusLine line_{std::cerr};
-  double shown_s_ = -1;  ///< time of the last drawing
-};
-
 /// State of the runs of a plan.
 struct SweepProgress {
   std::vector<PlannedRun> todo;
@@ -86,7 +58,8 @@ struct SweepProgress {
   double run_s = 0;         ///< mean duration of the runs that are done; 0 if none is
 };
 
-SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool retry) {
+SweepProgress progressOf(const experiment::Plan& plan, const experiment::FrozenRuns& frozen,
+                         const fs::path& out, bool retry) {
   SweepProgress progress;
   std::vector<std::string> folders;
   double sum = 0;
@@ -106,7 +79,6 @@ SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool
   }
   if (progress.done > 0) progress.run_s = sum / static_cast<double>(progress.done);
   std::ranges::sort(folders);
-  const experiment::FrozenRuns frozen = experiment::frozenRuns(out);
   for (const auto* runs : {&frozen.planned, &frozen.earlier}) {
     for (const PlannedRun& run : *runs) {
       if (!std::ranges::binary_search(folders, run.folder)) ++progress.others;
@@ -115,12 +87,12 @@ SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool
   return progress;
 }
 
-experiment::Plan planOf(const SweepCommand& command, const fs::path& out,
-                        const Invocation& invocation) {
+experiment::Plan planOf(const SweepCommand& command, const experiment::FrozenRuns& frozen,
+                        const fs::path& out, const Invocation& invocation) {
   experiment::PlanOptions options;
   options.plugin_paths = invocation.plugin_paths;
   options.out = out;
-  options.known = experiment::readKnownData(out);
+  options.frozen = frozen;
   options.find_config = configFile;
   options.find_shipped = shippedConfig;
   options.environment = config::processEnvironment();
@@ -194,14 +166,33 @@ std::vector<std::string> pointCommand(const std::string& program, std::size_t jo
   return words;
 }
 
+/// Progress on stderr: on a terminal a line that is redrawn, otherwise one for each run that has
+/// ended.
 ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, const fs::path& out,
                  const Invocation& invocation) {
   const engine::Interrupts interrupts;
-  const auto words = pointCommand("/proc/self/exe", command.jobs, command.retry, invocation);
+  const Terminal terminal = terminalOf(invocation);
   experiment::JobsState state;
   {
-    SweepDisplay display(terminalOf(invocation));
-    state = experiment::runLocally(out, progress.todo, {command.jobs, words}, interrupts, display);
+    StatusLine line(std::cerr);
+    double shown_s = -1;  // time of the last drawing
+    const auto onState = [&](const experiment::JobsState& now) {
+      constexpr double kRedraw = 0.2;  // s between two drawings
+      if (!terminal.interactive || now.seconds - shown_s < kRedraw) return;
+      shown_s = now.seconds;
+      line.show(jobsText(now) + ": " + config::listed(now.running));
+    };
+    const auto onEnd = [&](const PlannedRun& run, const experiment::PointOutcome& outcome,
+                           const experiment::JobsState& now) {
+      const bool failed = outcome.state == PointState::Failed;
+      if (!failed && (terminal.interactive || terminal.quiet)) return;
+      line.add(fmt::format("{:<20} {:<7} {:7.1f} s  {}", jobsText(now), enumName(outcome.state),
+                           outcome.wall_s, run.name) +
+               (failed ? "\n    " + outcome.message : ""));
+    };
+    const auto words = pointCommand("/proc/self/exe", command.jobs, command.retry, invocation);
+    state = experiment::runLocally(out, progress.todo, {command.jobs, words, onState, onEnd},
+                                   interrupts);
   }
   if (interrupts.requested()) return ExitCode::Interrupted;
   if (!invocation.quiet && !invocation.json) {
@@ -227,10 +218,11 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
       fs::absolute(command.out.path.empty() ? fs::path("sweeps") / fs::path(command.file).stem()
                                             : fs::path(command.out.path))
           .lexically_normal();
-  if (experiment::frozenRuns(out).empty()) refuseExisting({out}, command.out.replace, "--out");
-  const experiment::Plan plan = planOf(command, out, invocation);
+  const experiment::FrozenRuns frozen = experiment::frozenRuns(out);
+  if (frozen.empty()) refuseExisting({out}, command.out.replace, "--out");
+  const experiment::Plan plan = planOf(command, frozen, out, invocation);
   refuseInsideData(plan, out);
-  const SweepProgress progress = progressOf(plan, out, command.retry);
+  const SweepProgress progress = progressOf(plan, frozen, out, command.retry);
   printPlan(plan, progress, command, out, invocation);
   if (command.dry_run) return ExitCode::Ok;
   std::error_code error;
@@ -243,9 +235,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
              config::absence(
                  out, "another sweep works here; wait for its end, or choose another --out"));
   }
-  for (const PlannedRun& run : progress.todo) failUnless(experiment::freeze(out, run));
-  failUnless(experiment::writePlanOrder(out, plan.runs));
-  failUnless(experiment::writeKnownData(out, plan.data));
+  failUnless(experiment::freeze(out, progress.todo, plan.runs));
   if (command.write.empty()) return runJobs(command, progress, out, invocation);
   const auto words = pointCommand(thisProgram(), 0, command.retry, invocation);
   const auto written =

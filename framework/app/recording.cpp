@@ -141,20 +141,15 @@ class Search {
     given_.insert(given_.begin(), {"path", config::writeText(path.string())});
   }
 
-  const ParameterInfo* declared(std::string_view name) const {
-    const auto found = std::ranges::find(plugin_.schema, name, &ParameterInfo::name);
-    return found == plugin_.schema.end() ? nullptr : &*found;
-  }
-
+  /// The first way of reading it that works, with calibration and times if they are found.
   Result<Recording> run() {
-    Result<Recording> found = probeImages({}, imageFolder(given_));
-    const auto tryNext = [&](const Result<Recording>& tried) {
-      if (tried.isOk()) found = tried;
-    };
-    if (!found.isOk() && may("rate")) tryNext(probe({{"rate", kAssumedRate}}));
-    if (!found.isOk() && may("left") && may("right")) tryNext(withFolders());
-    if (!found.isOk()) return found;
-    best_ = std::move(found).value();
+    std::vector<SourceValues> ways = withTimesInNames({});
+    if (may("rate")) ways.push_back({{"rate", kAssumedRate}});
+    Status reason = takeFirst(ways);
+    if (!reason.isOk() && may("left") && may("right") && takeFirst(folderWays()).isOk()) {
+      reason = Status::ok();
+    }
+    if (!reason.isOk()) return reason;
     if (best_.width > 0 && !best_.calibrated && may("calibration")) tryCalibrations();
     const bool has_times = best_.isGiven("rate") || best_.isGiven("stamps_in_names");
     if (!has_times && may("stamps")) tryStamps();
@@ -163,16 +158,54 @@ class Search {
   }
 
  private:
+  const ParameterInfo* declared(std::string_view name) const {
+    const auto found = std::ranges::find(plugin_.schema, name, &ParameterInfo::name);
+    return found == plugin_.schema.end() ? nullptr : &*found;
+  }
+
   /// Whether the source has this parameter, and the user does not give it.
   bool may(std::string_view name) const {
-    const auto isName = [&](const auto& value) { return value.first == name; };
-    return declared(name) != nullptr && std::ranges::none_of(given_, isName);
+    return declared(name) != nullptr && std::ranges::find(given_, name, nameOf) == given_.end();
   }
+  static const std::string& nameOf(const SourceValues::value_type& value) { return value.first; }
 
   /// The folder of the left images, if it is known.
   fs::path imageFolder(const SourceValues& values) const {
-    const auto left = std::ranges::find(values, "left", [](const auto& v) { return v.first; });
-    return left == values.end() ? path_ : path_ / left->second;
+    for (const auto* known : {&values, &given_}) {
+      const auto left = std::ranges::find(*known, "left", nameOf);
+      if (left != known->end()) return path_ / left->second;
+    }
+    return path_;
+  }
+
+  /// These parameters, and the same with the names of the images as times: names with decimals of
+  /// different lengths have no other order.
+  std::vector<SourceValues> withTimesInNames(const SourceValues& way) const {
+    std::vector<SourceValues> ways = {way};
+    SourceValues times;
+    if (may("stamps_in_names")) times = timesInNames(imageFolder(way));
+    if (times.empty()) return ways;
+    ways.push_back(way);
+    ways.back().insert(ways.back().end(), times.begin(), times.end());
+    return ways;
+  }
+
+  /// The first of these that the source reads; else why it does not read the very first.
+  Status takeFirst(const std::vector<SourceValues>& ways) {
+    Status reason = Status::invalidInput("no folder of images is read");
+    for (const SourceValues& way : ways) {
+      Result<Recording> found = probe(way);
+      if (found.isOk()) {
+        best_ = std::move(found).value();
+        for (const std::string& folder : folders_) {
+          const auto reads = [&](const auto& v) { return v.second == config::writeText(folder); };
+          if (std::ranges::none_of(best_.values, reads)) best_.other_folders.push_back(folder);
+        }
+        return Status::ok();
+      }
+      if (&way == &ways.front()) reason = found.status();
+    }
+    return reason;
   }
 
   /// Reads the first frames as a run would, with these parameters beside the given ones.
@@ -186,8 +219,9 @@ class Search {
     }
     engine::RunLog log(true);
     const engine::SteadyClock clock;
+    const Never never;
     engine::Assembly assembly(engine::require(engine::checkSystem(options, engine::Scope::Source)),
-                              log, clock, never_);
+                              log, clock, never);
     std::vector<std::int64_t> stamps_ns;
     while (stamps_ns.size() < kProbedFrames) {
       Frame frame;
@@ -197,36 +231,12 @@ class Search {
       stamps_ns.push_back(frame.stamp_ns);
     }
     if (stamps_ns.empty()) return Status::invalidInput("there is no frame");
-    return describe(assembly, log, values, stamps_ns);
-  } catch (const engine::Failure& failed) {
-    using Kind = engine::FailureKind;
-    const Kind kind = failed.kind;
-    if (kind == Kind::Machine || kind == Kind::Record || kind == Kind::Interrupted) throw;
-    const std::string prefix = "source (" + plugin_.manifest.id + "), configure: ";
-    const std::string text = failed.what();
-    return Status::invalidInput(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
-  }
-
-  /// The same, and if that fails with the names of the images in `folder` as times: names with
-  /// decimals of different lengths have no other order.
-  Result<Recording> probeImages(const SourceValues& more, const fs::path& folder) const {
-    Result<Recording> found = probe(more);
-    if (found.isOk() || !may("stamps_in_names")) return found;
-    SourceValues times = timesInNames(folder);
-    if (times.empty()) return found;
-    times.insert(times.begin(), more.begin(), more.end());
-    Result<Recording> by_names = probe(times);
-    return by_names.isOk() ? by_names : found;
-  }
-
-  Recording describe(engine::Assembly& assembly, const engine::RunLog& log,
-                     const SourceValues& values, const std::vector<std::int64_t>& stamps_ns) const {
     const SourceInfo& info = assembly.sourceInfo();
-    const CameraRig& rig = info.rig;
     std::vector<ArrayInfo> arrays;
     (void)assembly.source().instance().describe(arrays);  // it has given frames
-    Recording found{plugin_.manifest.id, values,         info.description, rig.width,
-                    rig.height,          rig.calibrated, rig.baseline};
+    Recording found{plugin_.manifest.id, values,          info.description,
+                    info.rig.width,      info.rig.height, info.rig.calibrated,
+                    info.rig.baseline};
     found.depth = !depthArray(arrays).empty();
     found.has_truth = info.has_truth;
     const double seconds = 1e-9 * static_cast<double>(stamps_ns.back() - stamps_ns.front());
@@ -236,44 +246,42 @@ class Search {
       found.warnings.push_back("source: " + doubt);
     }
     return found;
+  } catch (const engine::Failure& failed) {
+    using Kind = engine::FailureKind;
+    const Kind kind = failed.kind;
+    if (kind == Kind::Machine || kind == Kind::Record || kind == Kind::Interrupted) throw;
+    const std::string prefix = "source (" + plugin_.manifest.id + "), configure: ";
+    const std::string text = failed.what();
+    return Status::invalidInput(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   }
 
-  /// With folders of images below the recording: a pair with its calibration before one camera.
-  Result<Recording> withFolders() const {
+  /// With folders of images below the recording: pairs with each calibration, then one camera.
+  std::vector<SourceValues> folderWays() {
     const Names all = namesIn(path_, {});
     std::map<std::string, std::string> images;  // by folder
     for (const std::string& folder : all) {
       for (const char* below : {"/images", "/data", ""}) {
-        if (!namesIn(path_ / (folder + below), kImageEndings).empty()) {
-          images[folder] = folder + below;
-        }
+        if (namesIn(path_ / (folder + below), kImageEndings).empty()) continue;
+        images[folder] = folder + below;
       }
     }
-    const auto noteOthers = [&](Recording found) -> Result<Recording> {
-      for (const auto& [folder, place] : images) {
-        const auto reads = [&](const auto& value) {
-          return value.second == config::writeText(place);
-        };
-        if (std::ranges::none_of(found.values, reads)) found.other_folders.push_back(place);
-      }
-      return found;
-    };
+    std::vector<SourceValues> ways;
     for (const auto& [left, place] : images) {
+      folders_.push_back(place);
       const auto right = images.find(rightOf(left, all));
       if (right == images.end()) continue;
       for (const std::string& file : calibrations()) {
-        auto found = probeImages({{"left", config::writeText(place)},
-                                  {"right", config::writeText(right->second)},
-                                  {"calibration", config::writeText(file)}},
-                                 path_ / place);
-        if (found.isOk()) return noteOthers(std::move(found).value());
+        ways.push_back({{"left", config::writeText(place)},
+                        {"right", config::writeText(right->second)},
+                        {"calibration", config::writeText(file)}});
       }
     }
-    for (const auto& [left, place] : images) {
-      auto found = probeImages({{"left", config::writeText(place)}}, path_ / place);
-      if (found.isOk()) return noteOthers(std::move(found).value());
+    for (const std::string& place : folders_) ways.push_back({{"left", config::writeText(place)}});
+    std::vector<SourceValues> with_times;
+    for (const SourceValues& way : ways) {
+      std::ranges::move(withTimesInNames(way), std::back_inserter(with_times));
     }
-    return Status::invalidInput("no folder of images is read");
+    return with_times;
   }
 
   Names calibrations() const { return namesIn(path_, {".yaml", ".yml", ".xml", ".txt"}); }
@@ -335,7 +343,7 @@ class Search {
   const host::LoadedPlugin& plugin_;
   SourceValues given_;
   const Invocation& invocation_;
-  Never never_;
+  Names folders_;  ///< with images, below the recording
   Recording best_;
 };
 

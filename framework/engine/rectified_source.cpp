@@ -85,10 +85,7 @@ Status RectifiedSource::next(Frame& frame) {
   if (truth_.applies()) addTruth(frame);
   if (left_only_) frame.right = {};
   if (maps_.empty() && cut_.isWhole()) return status;
-  const auto begin = std::chrono::steady_clock::now();
   tbb::this_task_arena::isolate([&] { change(frame); });  // as withoutOtherTasks()
-  const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - begin;
-  rectifying_ns_ = took.count();
   return host::checkImages(frame, rig_);
 }
 

@@ -44,8 +44,6 @@ class RectifiedSource : private host::SourceStage {
   std::string cutText() const { return cut_.text(); }
   /// What to look at in the calibration (camera_check.hpp). After info().
   std::vector<std::string> doubts() const;
-  /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
-  std::int64_t rectifyingNs() const { return rectifying_ns_; }
 
  private:
   Status prepare(CameraRig& rig);
@@ -64,7 +62,6 @@ class RectifiedSource : private host::SourceStage {
   std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
   TruePath truth_;
   Findings* findings_ = nullptr;
-  std::int64_t rectifying_ns_ = 0;
   bool is_endless_ = false;
   bool checked_truth_ = false;  ///< its clock
   bool left_only_ = false;      ///< the stages get only the left image of a raw pair

@@ -12,7 +12,7 @@
 
 #include "base/text_file.hpp"
 #include "evaluation/association.hpp"
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
 #include "evaluation/truth_sensor.hpp"
 
 namespace tolman::engine {

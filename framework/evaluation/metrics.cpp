@@ -5,10 +5,190 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
 
+#include "evaluation/recorded_cells.hpp"
 #include "tolman/fields.hpp"
 
 namespace tolman::evaluation {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json reasonJson(const std::string& reason) { return reason.empty() ? Json() : Json(reason); }
+
+Json errorJson(const std::optional<ErrorFigures>& error, const std::string& unit) {
+  return {{"median_" + unit, error ? Json(error->median) : Json()},
+          {"p90_" + unit, error ? Json(error->p90) : Json()},
+          {"frames", error ? error->count : 0}};
+}
+
+Json scoreJson(const std::optional<UnitScore>& score) {
+  if (!score) return nullptr;
+  return {{"median", score->median},
+          {"chance", score->chance},
+          {"shuffled_median", score->shuffled_median},
+          {"share_above_chance", score->share_better}};
+}
+
+Json ringJson(const RingFigures& ring) {
+  return {{"array", ring.array},
+          {"units", ring.units},
+          {"error", errorJson(ring.error_deg, "deg")},
+          {"mean_vector_length", scoreJson(ring.scores.mean_vector_length)},
+          {"half_width_deg", scoreJson(ring.scores.half_width_deg)},
+          {"spatial_information_bits", scoreJson(ring.scores.information_bits)}};
+}
+
+Json sheetJson(const SheetFigures& sheet) {
+  return {{"array", sheet.array},
+          {"units", sheet.units},
+          {"period", sheet.period},
+          {"period_unit", sheet.unit},
+          {"grid_score_square", scoreJson(sheet.scores.square)},
+          {"grid_score_sargolini", scoreJson(sheet.scores.sargolini)},
+          {"grid_score_langston", scoreJson(sheet.scores.langston)},
+          {"spatial_information_bits", scoreJson(sheet.scores.information_bits)}};
+}
+
+constexpr std::size_t kShuffles = 200;
+/// Shortest shift of a unit's activity (Boccara et al. 2010). In a run shorter than ten times this,
+/// it is a tenth of the run.
+constexpr double kMinShift = 20;  // s
+constexpr double kMargin = 0.1;   // share of the extent, around the decodable positions
+
+Eigen::Vector2d positionOf(const StampedPose& at) { return {at.pose.x, at.pose.y}; }
+
+std::vector<double> headingErrorsDeg(const PopulationHistory& ring, const StampedPoses& truth) {
+  std::vector<double> errors;
+  const ArrayAxis& axis = ring.info.axes[0];
+  for (std::size_t i = 0; i < ring.frames.size(); ++i) {
+    const auto at = truth.find(ring.frames[i]);
+    const auto said = populationVector(
+        std::vector<double>(ring.activity[i].begin(), ring.activity[i].end()), axis);
+    if (!said || at == truth.end()) continue;
+    const double heading = *said * 2 * std::numbers::pi / axis.period;
+    errors.push_back(std::abs(wrapAngle(heading - at->second.pose.theta)) * kDegrees);
+  }
+  return errors;
+}
+
+/// The phases of all modules by frame, for frames at which every module has one.
+std::map<std::int64_t, std::vector<ModulePhase>> phasesOf(
+    const std::vector<PopulationHistory>& sheets) {
+  std::map<std::int64_t, std::vector<ModulePhase>> phases;
+  for (const PopulationHistory& sheet : sheets) {
+    for (std::size_t i = 0; i < sheet.frames.size(); ++i) {
+      const auto phase = modulePhase(sheet.activity[i], sheet.info);
+      if (phase) phases[sheet.frames[i]].push_back(*phase);
+    }
+  }
+  std::erase_if(phases, [&](const auto& at) { return at.second.size() != sheets.size(); });
+  return phases;
+}
+
+/// Decodes positions in the coordinates of the map, which has `position` at the first frame.
+PositionDecoder decoderFrom(const std::vector<ModulePhase>& modules,
+                            const Eigen::Vector2d& position, const StampedPoses& truth) {
+  Eigen::AlignedBox2d box;
+  for (const auto& [frame, at] : truth) box.extend(positionOf(at));
+  const Eigen::Vector2d margin =
+      Eigen::Vector2d::Constant(kMargin * box.sizes().maxCoeff() + modules[0].period / 2);
+  return {modules, position, box.min() - margin, box.max() + margin};
+}
+
+void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPoses& map,
+                   const StampedPoses& truth, double scale, CellFigures& figures) {
+  if (sheets.empty()) figures.position_reason = "no grid module was recorded";
+  for (const PopulationHistory& sheet : sheets) {
+    if (figures.position_reason.empty()) figures.position_reason = noPositionReason(sheet.info);
+  }
+  if (!figures.position_reason.empty()) return;
+  std::vector<double> errors;
+  std::optional<PositionDecoder> decoder;
+  for (const auto& [frame, modules] : phasesOf(sheets)) {
+    if (!decoder) {
+      const auto first = map.find(frame);
+      if (first == map.end()) continue;
+      decoder = decoderFrom(modules, positionOf(first->second), truth);
+    }
+    const auto at = truth.find(frame);
+    if (at == truth.end()) continue;
+    errors.push_back(scale * decoder->error(modules, positionOf(at->second)));
+  }
+  figures.position_m = errorFigures(std::move(errors));
+  if (sheets.size() == 1 && figures.position_m) {
+    figures.modulo_m = scale * sheets[0].info.axes[0].period;
+  }
+}
+
+/// Options for one population. figures.least_shift_s is the longest of the shortest shifts of all
+/// populations.
+Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
+  const double least = std::min(kMinShift, units.seconds / 10);
+  const double share = units.seconds > 0 ? least / units.seconds : 0.1;
+  figures.least_shift_s = std::max(figures.least_shift_s, least);
+  return {kShuffles,
+          static_cast<std::size_t>(std::ceil(share * static_cast<double>(units.walk.size()))),
+          figures.seed};
+}
+
+}  // namespace
+
+Json toJson(const CellFigures& cells) {
+  Json position = errorJson(cells.position_m, "m");
+  position["modulo_m"] = cells.modulo_m > 0 ? Json(cells.modulo_m) : Json();
+  position["reason"] = reasonJson(cells.position_reason);
+  Json json{{"places", cells.truth ? "truth" : "map"},
+            {"reason", reasonJson(cells.reason)},
+            {"position_error", std::move(position)},
+            {"head_direction", Json::array()},
+            {"grid", Json::array()},
+            {"shuffles", cells.shuffles},
+            {"least_shift_s", cells.least_shift_s},
+            {"seed", cells.seed}};
+  for (const RingFigures& ring : cells.rings) json["head_direction"].push_back(ringJson(ring));
+  for (const SheetFigures& sheet : cells.sheets) json["grid"].push_back(sheetJson(sheet));
+  return json;
+}
+
+std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory& map,
+                                      const Trajectory& since_start, const Trajectory& truth,
+                                      const TrajectoryMetrics& scored, std::uint64_t seed) {
+  if (cells.rings.empty() && cells.sheets.empty()) return std::nullopt;
+  CellFigures figures;
+  figures.truth = scored.scores.has_value();
+  figures.seed = seed;
+  figures.shuffles = kShuffles;
+  const StampedPoses mapped = stampedPosesOf(map);
+  const StampedPoses places = figures.truth ? stampedPosesOf(truth) : mapped;
+  if (figures.truth) {
+    scorePosition(cells.sheets, stampedPosesOf(since_start), places, scored.scores->scale, figures);
+  } else {
+    figures.reason = figures.position_reason = scored.reason;
+  }
+  for (const PopulationHistory& ring : cells.rings) {
+    const RecordedUnits units = unitsAt(ring, places, measuredUnits(ring));
+    auto errors = figures.truth ? headingErrorsDeg(ring, places) : std::vector<double>();
+    figures.rings.push_back({ring.info.name, ring.activity[0].size(),
+                             errorFigures(std::move(errors)),
+                             scoreRing(units, shufflingOf(units, figures))});
+  }
+  for (const PopulationHistory& sheet : cells.sheets) {
+    const RecordedUnits units = unitsAt(sheet, places, measuredUnits(sheet));
+    const ArrayAxis& axis = sheet.info.axes[0];
+    figures.sheets.push_back(
+        {sheet.info.name, sheet.activity[0].size(), axis.period, axis.unit,
+         scoreSheet(units, periodInMetres(sheet), shufflingOf(units, figures))});
+  }
+  return figures;
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;

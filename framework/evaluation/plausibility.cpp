@@ -10,7 +10,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "evaluation/alignment.hpp"
+#include "evaluation/association.hpp"
 #include "evaluation/errors.hpp"
 #include "evaluation/score.hpp"
 #include "evaluation/step_series.hpp"
@@ -307,24 +307,6 @@ std::string misreadingText(const std::vector<Hypothesis>& hypotheses) {
       percent(hypotheses.front().before), fmt::join(readings, ", or "));
 }
 
-/// Positions of both in millimetres, say: each fits the other.
-std::string speedText(const Matches& matches) {
-  constexpr double kFastest = 1000;  // m/s; no aircraft with a camera is faster
-  const Trajectory& timed = hasStamps(matches.truth) ? matches.truth : matches.estimate;
-  const std::vector<double> lengths = stepLengths(matches.truth);
-  std::vector<double> speeds;
-  for (std::size_t i = 1; i < timed.size(); ++i) {
-    const double seconds = 1e-9 * static_cast<double>(timed[i].stamp_ns - timed[i - 1].stamp_ns);
-    if (seconds > 0) speeds.push_back(lengths[i - 1] / seconds);
-  }
-  const double median = statistics(speeds).median;
-  if (median <= kFastest) return "";
-  return fmt::format(
-      "by the stamps the true path is driven at {:.3g} m/s (median), faster than any vehicle: are "
-      "its positions in metres, and the stamps in seconds?",
-      median);
-}
-
 /// Sessions of which each fits its truth, while motions from one to another do not.
 std::string sessionText(const Matches& matches, bool free_scale) {
   constexpr std::size_t kParts = 10;
@@ -378,7 +360,6 @@ std::vector<std::string> doubts(const Trajectory& truth, const Trajectory& estim
   }
   std::ranges::move(breaksOf(matches), std::back_inserter(texts));
   texts.push_back(sessionText(matches, free_scale));
-  texts.push_back(speedText(matches));
   if (alignment == Alignment::Se2) {
     if (const std::string up = upAxisProblem(matches.truth); !up.empty()) {
       texts.push_back(up + ", or use se3; se2 leaves y out");

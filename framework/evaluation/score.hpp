@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "evaluation/alignment.hpp"
 #include "evaluation/association.hpp"
 #include "evaluation/errors.hpp"
 

@@ -1,7 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "base/number_text.hpp"
+#include "base/text_encoding.hpp"
+#include "base/text_file.hpp"
 
 namespace tolman::evaluation {
 
@@ -91,18 +108,315 @@ std::vector<double> distances(const Trajectory& trajectory) {
   return result;
 }
 
-std::vector<double> stepLengths(const Trajectory& trajectory) {
-  std::vector<double> result;
-  for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    result.push_back((trajectory[i].T_world_camera.translation() -
-                      trajectory[i - 1].T_world_camera.translation())
-                         .norm());
-  }
-  return result;
-}
-
 double pathLength(const Trajectory& trajectory) {
   return trajectory.empty() ? 0 : distances(trajectory).back();
+}
+
+namespace {
+
+using text_encoding::inQuotes;
+using Words = std::vector<std::string_view>;
+
+// Rotations in files are rounded; a matrix with a larger error is not accepted as a rotation.
+constexpr double kRotationTolerance = 1e-2;
+// Largest position, m: beyond any vehicle, and the squares of all errors are finite.
+constexpr double kLargestPosition = 1e9;
+// Largest stamp, s (the year 2096): differences of two stamps in ns fit into 64 bits.
+constexpr double kLatest = 4e9;
+
+/// What is wrong with a line; the reader adds file and line.
+struct LineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+Words wordsOf(std::string_view line) {
+  return text_encoding::splitFields(line.substr(0, line.find('#')));
+}
+
+double number(std::string_view word) {
+  const std::optional<double> value = text_encoding::parseNumber(word);
+  if (value) return *value;
+  throw LineError(inQuotes(word) + " " + std::string(text_encoding::numberProblem(word)));
+}
+
+double coordinate(std::string_view word) {
+  const double metres = number(word);
+  if (std::abs(metres) <= kLargestPosition) return metres;
+  throw LineError("position " + inQuotes(word) + " is too large; positions are metres");
+}
+
+/// Exact to the nanosecond for plain decimals. `digits`: 9 for seconds, 0 for nanoseconds.
+std::int64_t stampNs(std::string_view word, int digits) {
+  const double seconds = number(word) * std::pow(10, digits - 9);
+  if (std::abs(seconds) > kLatest) {
+    throw LineError("stamp " + inQuotes(word) +
+                    " is too large; stamps are seconds: divide ns by 1e9, us by 1e6 and ms by 1e3");
+  }
+  return text_encoding::parseSeconds(word, digits).value_or(std::llround(seconds * 1e9));
+}
+
+Eigen::Matrix3d checkedRotation(const Eigen::Matrix3d& R) {
+  const double error = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(error < kRotationTolerance) || R.determinant() < 0) {
+    throw LineError("the rotation part is not a rotation matrix");
+  }
+  return Eigen::Quaterniond(R).normalized().toRotationMatrix();
+}
+
+/// Which columns of a table hold what; -1: none.
+struct Columns {
+  std::string format;  ///< for messages
+  int count = 0;       ///< of columns
+  int stamp = -1;
+  int stamp_digits = 9;  ///< decimal exponent of its unit in ns
+  int frame = -1;
+  int matrix = -1;  ///< first of 12 numbers, row by row
+  std::array<int, 3> position = {-1, -1, -1};
+  std::array<int, 4> quaternion = {-1, -1, -1, -1};  ///< x y z w
+
+  bool hasPosition() const { return matrix >= 0 || std::ranges::min(position) >= 0; }
+  bool hasQuaternion() const { return std::ranges::min(quaternion) >= 0; }
+};
+
+const Columns kTum{
+    "8 numbers (stamp tx ty tz qx qy qz qw)", 8, 0, 9, -1, -1, {1, 2, 3}, {4, 5, 6, 7}};
+const Columns kKitti{"12 numbers (rows of a 3x4 pose)", 12, -1, 9, -1, 0};
+const Columns kPositions{"4 numbers (stamp tx ty tz)", 4, 0, 9, -1, -1, {1, 2, 3}};
+const Columns kFramed12{"13 numbers (frame, rows of a 3x4 pose)", 13, -1, 9, 0, 1};
+const Columns kFramed16{"17 numbers (frame, rows of a 4x4 pose)", 17, -1, 9, 0, 1};
+/// EuRoC and TUM-VI: ns, and w is the first of the quaternion.
+const Columns kEuroc{
+    "a line of EuRoC (ns, x y z, qw qx qy qz)", 0, 0, 0, -1, -1, {1, 2, 3}, {5, 6, 7, 4}};
+const Columns kEurocPositions{"a line of EuRoC (ns, x y z)", 4, 0, 0, -1, -1, {1, 2, 3}};
+
+bool isNanoseconds(std::string_view word) {
+  constexpr std::size_t kDigits = 16;  // in ns, of any time since February 1970; more than seconds
+  return word.size() >= kDigits && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The format of a table without names of columns.
+Columns columnsOf(const Words& entries) {
+  const std::size_t count = entries.size();
+  const bool nanoseconds = isNanoseconds(entries.front());
+  if (nanoseconds && count == 4) return kEurocPositions;
+  if (nanoseconds && count >= 8) {
+    Columns columns = kEuroc;
+    columns.count = static_cast<int>(count);
+    return columns;
+  }
+  for (const Columns* columns : {&kTum, &kKitti, &kPositions, &kFramed12, &kFramed16}) {
+    if (static_cast<int>(count) == columns->count) return *columns;
+  }
+  throw LineError(fmt::format(
+      "neither a TUM pose (8 numbers) nor a KITTI pose (12 numbers), nor stamp x y z (4), nor a "
+      "frame with its pose (13 or 17): found {} entries; other tables need a first line with the "
+      "names of their columns",
+      count));
+}
+
+/// Columns by their names, as "#timestamp [ns]", "p_RS_R_x [m]", "qw", "pose.position.x".
+class NamedColumns {
+ public:
+  static std::optional<Columns> of(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
+    const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
+    const char* separators = has(',') ? ",\r" : has(';') ? ";\r" : " \t\r";  // "x [m], y [m]"
+    NamedColumns named;
+    int index = 0;
+    while (!line.empty()) {
+      const std::size_t end = std::min(line.find_first_of(separators), line.size());
+      if (end > 0) named.take(line.substr(0, end), index++);
+      line.remove_prefix(std::min(end + 1, line.size()));
+    }
+    Columns& columns = named.columns_;
+    if (!columns.hasPosition()) return std::nullopt;
+    columns.format = fmt::format("{} columns, as its first line names", index);
+    columns.count = index;
+    if (!columns.hasQuaternion()) columns.quaternion = {-1, -1, -1, -1};
+    return columns;
+  }
+
+ private:
+  void take(std::string_view given, int index) {
+    std::string name;
+    for (const char c : given.substr(0, given.find('['))) {
+      if (std::isspace(static_cast<unsigned char>(c)) == 0 && c != '"') {
+        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      }
+    }
+    const auto has = [&](std::string_view part) { return name.find(part) != std::string::npos; };
+    if (name.empty() || has("vel") || has("twist") || has("cov") || has("acc") || has("bias"))
+      return;
+    constexpr std::array<std::string_view, 5> kFrames = {"frame", "frame_index", "frame_number",
+                                                         "index", "image"};
+    if (std::ranges::find(kFrames, name) != kFrames.end()) return set(columns_.frame, index);
+    if (name == "t" || has("time") || has("stamp") || name.starts_with("sec")) {
+      if (columns_.stamp < 0) columns_.stamp_digits = digitsOf(given, name);
+      return set(columns_.stamp, index);
+    }
+    const std::size_t axis = std::string_view("xyzw").find(name.back());
+    if (axis == std::string_view::npos) return;
+    const std::string stem = name.substr(0, name.size() - 1);
+    if (stem.starts_with("q") || stem.find("orient") != std::string::npos ||
+        stem.find("rot") != std::string::npos) {
+      return set(columns_.quaternion[axis], index);
+    }
+    const bool is_position = stem.empty() || stem == "t" || stem == "p" || stem == "t_" ||
+                             stem.starts_with("p_") || stem.starts_with("trans") ||
+                             stem.find("pos") != std::string::npos;
+    if (is_position && axis < 3) set(columns_.position[axis], index);
+  }
+
+  /// The first column of a kind counts.
+  static void set(int& column, int index) {
+    if (column < 0) column = index;
+  }
+
+  static int digitsOf(std::string_view given, const std::string& name) {
+    const auto is = [&](const char* unit) {
+      return given.find(fmt::format("[{}]", unit)) != std::string_view::npos ||
+             name.ends_with(fmt::format("_{}", unit));
+    };
+    return is("ns") ? 0 : is("us") ? 3 : is("ms") ? 6 : 9;
+  }
+
+  Columns columns_;
+};
+
+bool beginsWithNumber(std::string_view line) {
+  const Words words = wordsOf(line);
+  return !words.empty() && text_encoding::parseNumber(words.front()).has_value();
+}
+
+TrajectoryPose poseOf(const Words& entries, const Columns& columns) {
+  if (static_cast<int>(entries.size()) != columns.count) {
+    throw LineError(fmt::format("expected {}, found {}", columns.format, entries.size()));
+  }
+  const auto word = [&](int column) { return entries[static_cast<std::size_t>(column)]; };
+  TrajectoryPose pose;
+  if (columns.stamp >= 0) {
+    const bool is_ns = columns.stamp_digits == 9 && isNanoseconds(word(columns.stamp));
+    pose.stamp_ns = stampNs(word(columns.stamp), is_ns ? 0 : columns.stamp_digits);
+  }
+  if (columns.frame >= 0) pose.frame = std::llround(number(word(columns.frame)));
+  if (columns.matrix >= 0) {
+    Eigen::Matrix<double, 3, 4, Eigen::RowMajor> rows;
+    for (int i = 0; i < 12; ++i) {
+      const std::string_view entry = word(columns.matrix + i);
+      rows.data()[i] = i % 4 == 3 ? coordinate(entry) : number(entry);
+    }
+    pose.T_world_camera.linear() = checkedRotation(rows.leftCols<3>());
+    pose.T_world_camera.translation() = rows.col(3);
+    return pose;
+  }
+  for (int i = 0; i < 3; ++i) {
+    pose.T_world_camera.translation()[i] =
+        coordinate(word(columns.position[static_cast<std::size_t>(i)]));
+  }
+  if (!columns.hasQuaternion()) return pose;
+  Eigen::Quaterniond q;
+  for (std::size_t i = 0; i < 4; ++i)
+    q.coeffs()[static_cast<int>(i)] = number(word(columns.quaternion[i]));
+  if (std::abs(q.norm() - 1) > kRotationTolerance) {
+    throw LineError("the quaternion has length " + std::to_string(q.norm()) + " instead of 1");
+  }
+  pose.T_world_camera.linear() = q.normalized().toRotationMatrix();
+  return pose;
+}
+
+void append(Trajectory& trajectory, TrajectoryPose pose, const Columns& columns) {
+  if (columns.stamp >= 0 && !trajectory.empty() && pose.stamp_ns <= trajectory.back().stamp_ns) {
+    throw LineError("the stamp does not increase; sort the file and remove duplicates");
+  }
+  if (columns.frame < 0 || columns.stamp >= 0) {
+    pose.frame = static_cast<std::int64_t>(trajectory.size());
+  } else if (!trajectory.empty() && pose.frame <= trajectory.back().frame) {
+    throw LineError("the frame does not increase; sort the file and remove duplicates");
+  }
+  trajectory.push_back(pose);
+}
+
+/// Detects a file that was cut within the last number of a line: the last line has no line break,
+/// and its last number has fewer decimals than that of every line before.
+class CutLine {
+ public:
+  void check(std::string_view last_word, bool has_end) {
+    const std::size_t decimals = last_word.size() - std::min(last_word.find('.'), last_word.size());
+    if (!has_end && lines_ >= 2 && decimals < fewest_) {
+      throw LineError("the file ends within this line, its last number " + inQuotes(last_word) +
+                      " is cut; put back the whole file");
+    }
+    fewest_ = std::min(fewest_, decimals);
+    ++lines_;
+  }
+
+ private:
+  std::size_t fewest_ = std::string_view::npos;
+  int lines_ = 0;
+};
+
+/// Of a file, or of what comes through a pipe until its end.
+Result<std::string> textOf(const std::filesystem::path& path) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  if (std::filesystem::is_directory(path)) return Status::invalidInput("is a folder; give a file");
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) {
+    const std::string why = std::generic_category().message(errno);
+    return Status::invalidInput("cannot be read (" + why + "); check path and permissions");
+  }
+  ::fcntl(file, F_SETFL, O_RDONLY);  // a pipe whose writer is at work is waited for
+  std::string text;
+  std::array<char, 1 << 16> bytes;
+  ssize_t got = 1;
+  while (got > 0 && text.size() <= kMost) {
+    got = ::read(file, bytes.data(), bytes.size());
+    if (got > 0) text.append(bytes.data(), static_cast<std::size_t>(got));
+  }
+  ::close(file);
+  if (text.size() > kMost) return Status::invalidInput("has more than 1 GiB");
+  if (got < 0) return Status::invalidInput("cannot be read to its end; check the disk");
+  if (text.empty() && std::filesystem::is_fifo(path)) {
+    return Status::invalidInput("nobody writes to this pipe; start its writer first");
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
+  const Result<std::string> text = textOf(file);
+  if (!text.isOk()) return Status::invalidInput(file.string() + ": " + text.status().message());
+  if (const std::string problem = text_encoding::encodingProblem(text.value()); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
+  }
+  std::istringstream stream(std::string(text_encoding::withoutMark(text.value())));
+  Trajectory trajectory;
+  std::optional<Columns> comment, columns;
+  CutLine cut_line;
+  std::string line;
+  for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
+    try {
+      if (!columns && !beginsWithNumber(line)) {
+        const auto named = NamedColumns::of(line);
+        const bool is_comment = line.find_first_not_of(" \t") == line.find('#');
+        if (named) (is_comment ? comment : columns) = named;
+        if (named || is_comment) continue;
+      }
+      const Words entries = wordsOf(line);
+      if (entries.empty()) continue;
+      if (!columns) {
+        const bool fits = comment && comment->count == static_cast<int>(entries.size());
+        columns = fits ? *comment : columnsOf(entries);
+      }
+      append(trajectory, poseOf(entries, *columns), *columns);
+      cut_line.check(entries.back(), !stream.eof());
+    } catch (const LineError& error) {
+      return Status::invalidInput(file.string() + ":" + std::to_string(number_of_line) + ": " +
+                                  error.what());
+    }
+  }
+  if (trajectory.empty()) return Status::invalidInput(file.string() + ": holds no pose");
+  return trajectory;
 }
 
 }  // namespace tolman::evaluation

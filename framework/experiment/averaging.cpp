@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/averaging.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,23 +7,23 @@
 #include <set>
 
 #include "config/text.hpp"
+#include "experiment/comparison.hpp"
 
 namespace tolman::experiment {
 namespace {
 
-Status mixed(const RunRow& a, const RunRow& b, const std::string& what) {
-  return Status::invalidInput("'" + a.name + "' and '" + b.name + "' " + what);
-}
+constexpr double kSameCoverage = 0.02;  // share of the frames
 
 double coverageOf(const RunRow& row) {
   const auto found = row.metrics.find("map.coverage");
   return found == row.metrics.end() ? 1 : found->second;
 }
 
-/// The segment lengths of a drift such as "map.kitti.t_rel_percent", m.
+/// The segment lengths of a drift such as "map.kitti.t_rel_percent", m; empty for other metrics.
 std::vector<double> lengthsOf(const RunRow& row, const std::string& metric) {
-  const std::string prefix = metric.substr(0, metric.rfind('.')) + ".lengths_m.";
   std::vector<double> lengths;
+  if (metric.find(".kitti.") == std::string::npos) return lengths;
+  const std::string prefix = metric.substr(0, metric.rfind('.')) + ".lengths_m.";
   for (auto found = row.metrics.lower_bound(prefix);
        found != row.metrics.end() && found->first.starts_with(prefix); ++found) {
     lengths.push_back(found->second);
@@ -37,33 +35,6 @@ std::vector<double> lengthsOf(const RunRow& row, const std::string& metric) {
 std::string lengthsText(const std::vector<double>& lengths) {
   if (lengths.empty()) return "unknown lengths";
   return fmt::format("{:g} to {:g} m", lengths.front(), lengths.back());
-}
-
-/// `same`: another run of the sequence.
-Status refuseMixture(const RunRow& same, const RunRow& row, bool mixed_coverage) {
-  if (row.truth != same.truth) {
-    return mixed(same, row,
-                 "have different true poses; name the sequences in the sweep, or choose runs with "
-                 "--only");
-  }
-  const double difference = coverageOf(row) - coverageOf(same);
-  if (mixed_coverage || std::abs(difference) <= kSameCoverage) return Status::ok();
-  return mixed(same, row,
-               fmt::format("cover {:.1f} % and {:.1f} % of the truth, so that their errors are of "
-                           "different paths; --mixed-coverage averages them all the same",
-                           100 * coverageOf(same), 100 * coverageOf(row)));
-}
-
-Status refuseMixedLengths(const RunRow& first, const RunRow& run, const std::string& metric) {
-  if (metric.find(".kitti.") == std::string::npos) return Status::ok();
-  const std::vector<double> lengths = lengthsOf(first, metric);
-  const std::vector<double> own = lengthsOf(run, metric);
-  if (own == lengths) return Status::ok();
-  return mixed(first, run,
-               "have drifts over segments of " + lengthsText(lengths) + " and of " +
-                   lengthsText(own) +
-                   ", which are not to be averaged; set evaluation.segments, or choose runs with "
-                   "--only");
 }
 
 /// Results byte for byte, or without digests the metrics except times.
@@ -79,35 +50,46 @@ bool sameResults(const RunRow& a, const RunRow& b) {
 
 }  // namespace
 
-RunPointers pointersTo(const std::vector<RunRow>& rows) {
-  RunPointers pointers;
-  for (const RunRow& row : rows) pointers.push_back(&row);
-  return pointers;
-}
-
 Status refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
                       bool mixed_coverage) {
+  const RunRow& first = *runs.front();
   std::map<std::string, const RunRow*> of_sequence;
   for (const RunRow* run : runs) {
-    const RunRow& first = *runs.front();
+    const auto mixed = [&](const RunRow& with, const std::string& what) {
+      return Status::invalidInput("'" + with.name + "' and '" + run->name + "' " + what);
+    };
     if (run->alignment != first.alignment) {
-      return mixed(first, *run,
-                   "are aligned by " + first.alignment + " and " + run->alignment +
-                       ", whose errors are not to be averaged; set evaluation.alignment, or "
-                       "choose runs with --only");
+      return mixed(first, "are aligned by " + first.alignment + " and " + run->alignment +
+                              ", whose errors are not to be averaged; set evaluation.alignment, or "
+                              "choose runs with --only");
     }
-    if (coverageOf(*run) <= 0) {
+    const double coverage = coverageOf(*run);
+    if (coverage <= 0) {
       return Status::invalidInput(
           "'" + run->name +
           "' has not tracked a single frame of the truth, so that its errors are those of standing "
           "still; leave it out with --only");
     }
     const RunRow& same = *of_sequence.try_emplace(run->label("sequence"), run).first->second;
-    Status status = refuseMixture(same, *run, mixed_coverage);
-    for (const std::string& metric : metrics) {
-      if (status.isOk()) status = refuseMixedLengths(first, *run, metric);
+    if (run->truth != same.truth) {
+      return mixed(same,
+                   "have different true poses; name the sequences in the sweep, or choose runs "
+                   "with --only");
     }
-    if (!status.isOk()) return status;
+    if (!mixed_coverage && std::abs(coverage - coverageOf(same)) > kSameCoverage) {
+      return mixed(
+          same, fmt::format("cover {:.1f} % and {:.1f} % of the truth, so that their errors are of "
+                            "different paths; --mixed-coverage averages them all the same",
+                            100 * coverageOf(same), 100 * coverage));
+    }
+    for (const std::string& metric : metrics) {
+      const auto lengths = lengthsOf(first, metric), own = lengthsOf(*run, metric);
+      if (own == lengths) continue;
+      return mixed(first, "have drifts over segments of " + lengthsText(lengths) + " and of " +
+                              lengthsText(own) +
+                              ", which are not to be averaged; set evaluation.segments, or choose "
+                              "runs with --only");
+    }
   }
   return Status::ok();
 }
@@ -196,11 +178,8 @@ std::string sameTruthNote(const std::vector<RunRow>& rows) {
 
 std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {
   constexpr double kLost = 6;  // exit code
-  std::vector<std::string> notes;
-  std::vector<std::string> lost;
-  std::vector<std::string> partial;
-  double least = 1;
-  double most = 0;
+  std::vector<std::string> notes, lost, partial;
+  double least = 1, most = 0;
   for (const RunRow& row : rows) {
     const auto code = row.metrics.find("exit_code");
     if (code != row.metrics.end() && code->second == kLost) {
@@ -212,17 +191,15 @@ std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {
     least = std::min(least, coverageOf(row));
     most = std::max(most, coverageOf(row));
   }
-  if (!lost.empty()) {
-    notes.push_back(fmt::format(
-        "{} of {} runs ended with exit code 6, odometry was not tracking at their end: {}.",
-        lost.size(), rows.size(), config::listed(lost)));
-  }
-  if (!partial.empty()) {
-    notes.push_back(fmt::format(
-        "{} of {} runs were interrupted or failed (exit code in brackets), and their figures are "
-        "of the part that they drove: {}.",
-        partial.size(), rows.size(), config::listed(partial)));
-  }
+  const auto note = [&](const std::vector<std::string>& names, const char* what) {
+    if (names.empty()) return;
+    notes.push_back(fmt::format("{} of {} runs {}: {}.", names.size(), rows.size(), what,
+                                config::listed(names)));
+  };
+  note(lost, "ended with exit code 6, odometry was not tracking at their end");
+  note(partial,
+       "were interrupted or failed (exit code in brackets), and their figures are of the part that "
+       "they drove");
   if (most - least > kSameCoverage) {
     notes.push_back(fmt::format(
         "The runs cover {:.1f} to {:.1f} % of their true paths: errors of the lower ones are of "

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "engine/drive.hpp"
@@ -33,11 +35,11 @@ void resetPeakResident() { std::ofstream("/proc/self/clear_refs") << "5"; }
 class TimingListener : public engine::Listener, public Cancellation {
  public:
   TimingListener(const Clock& clock, const Cancellation& cancellation, std::int64_t frames,
-                 const BenchProgress& progress)
+                 const std::function<void()>& frame_done)
       : clock_(clock),
         cancellation_(cancellation),
         frames_(frames),
-        progress_(progress),
+        frame_done_(frame_done),
         begin_ns_(clock.steadyNs()) {}
 
   bool requested() const override { return complete_ || cancellation_.requested(); }
@@ -50,7 +52,7 @@ class TimingListener : public engine::Listener, public Cancellation {
     }
     pass_.seconds = static_cast<double>(clock_.steadyNs() - begin_ns_) * kSecondsPerNs;
     complete_ = ++pass_.frames == frames_;
-    progress_.frame();
+    frame_done_();
     return Status::ok();
   }
   void onEvent(const engine::Event&) override {}
@@ -73,10 +75,10 @@ class TimingListener : public engine::Listener, public Cancellation {
   const Clock& clock_;
   const Cancellation& cancellation_;
   std::int64_t frames_;
-  const BenchProgress& progress_;
+  const std::function<void()>& frame_done_;
   std::int64_t begin_ns_;
   std::atomic<bool> complete_ = false;
-  BenchPass pass_;
+  BenchPass pass_{"chain"};
   std::array<std::vector<std::int64_t>, kRoleNames.size()> durations_ns_;
 };
 
@@ -87,17 +89,17 @@ class ChainBench {
       : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
 
   Bench run() {
-    const bool chain = !options_.source_only && engine::hasChain(system_);
-    for (int i = 0; i < options_.repeats; ++i) pass(engine::Scope::Source, bench_.source_passes);
-    for (int i = 0; chain && i < options_.repeats; ++i) {
-      pass(engine::Scope::WithoutObservers, bench_.chain_passes);
+    for (int i = 0; i < options_.repeats; ++i) pass(engine::Scope::Source);
+    const bool has_chain = !options_.source_only && engine::hasChain(system_);
+    for (int i = 0; has_chain && i < options_.repeats; ++i) {
+      pass(engine::Scope::WithoutObservers);
     }
     bench_.interrupted = cancellation_.requested();
     return std::move(bench_);
   }
 
  private:
-  void pass(engine::Scope scope, std::vector<BenchPass>& passes) {
+  void pass(engine::Scope scope) {
     if (cancellation_.requested()) return;
     resetPeakResident();
     engine::Assembly assembly(engine::require(engine::checkSystem(system_, scope)), log_, clock_,
@@ -109,21 +111,22 @@ class ChainBench {
     assembly.openArtefacts(scratch.path());
     bench_.name = assembly.system().config.general.name;
     bench_.source = assembly.sourceInfo().description;
-    options_.progress.begin_pass(assembly.sourceInfo().frames);
-    BenchPass measured = scope == engine::Scope::Source ? sourceAlone(assembly) : chain(assembly);
-    options_.progress.end_pass();
-    if (measured.frames == 0 && !cancellation_.requested()) {
+    const auto frame_done = options_.progress(assembly.sourceInfo().frames);
+    BenchPass measured = scope == engine::Scope::Source ? sourceAlone(assembly, frame_done)
+                                                        : chain(assembly, frame_done);
+    if (cancellation_.requested()) return;  // an incomplete pass
+    if (measured.frames == 0) {
       throw engine::Failure({engine::FailureKind::Dataset, "source: gave no frame to measure"});
     }
-    if (!cancellation_.requested()) passes.push_back(std::move(measured));  // else: incomplete pass
+    bench_.passes.push_back(std::move(measured));
   }
 
-  BenchPass sourceAlone(engine::Assembly& assembly) {
+  BenchPass sourceAlone(engine::Assembly& assembly, const std::function<void()>& frame_done) {
     const int threads = engine::concurrency(assembly.system().config.general.threads);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
     std::vector<std::int64_t> durations_ns;
-    BenchPass pass;
+    BenchPass pass{"source"};
     while (pass.frames != options_.frames && !cancellation_.requested()) {
       Frame frame;
       const std::int64_t begin_ns = clock_.steadyNs();
@@ -133,20 +136,19 @@ class ChainBench {
       engine::require(status, engine::FailureKind::Dataset);
       durations_ns.push_back(duration_ns);
       pass.seconds += static_cast<double>(duration_ns) * kSecondsPerNs;
-      pass.rectifying_s += static_cast<double>(assembly.source().rectifyingNs()) * kSecondsPerNs;
       ++pass.frames;
-      options_.progress.frame();
+      frame_done();
     }
     pass.peak_mib = peakResidentMib();
     pass.stages["source"] = evaluation::stageTiming(durations_ns);
     return pass;
   }
 
-  BenchPass chain(engine::Assembly& assembly) {
+  BenchPass chain(engine::Assembly& assembly, const std::function<void()>& frame_done) {
     const config::SystemConfig& config = assembly.system().config;
     config::PipelineSettings settings = config.pipeline;
     settings.mode = config::PipelineMode::Lossless;
-    TimingListener timing(clock_, cancellation_, options_.frames, options_.progress);
+    TimingListener timing(clock_, cancellation_, options_.frames, frame_done);
     engine::Chain stages(assembly.stages(), assembly.policies(), timing);
     const engine::DriveResult result =
         engine::drive(stages, settings, config.general.threads, timing);
@@ -169,90 +171,42 @@ Bench runBench(const engine::SystemOptions& system, const BenchOptions& options,
   return ChainBench(system, options, log, cancellation).run();
 }
 
-namespace {
-
-double ratio(const std::vector<BenchPass>& passes, const BenchPass& pass) {
-  const double first = passes.front().rate();
-  return first > 0 ? pass.rate() / first : 0;
-}
-
-std::string passesText(std::string_view what, const std::vector<BenchPass>& passes) {
-  std::string text;
-  int repeat = 0;
-  for (const BenchPass& pass : passes) {
-    text += fmt::format("{:<12}{:>6}{:>8}{:>11.1f}{:>8.2f}{:>10.0f}\n", what, ++repeat, pass.frames,
-                        pass.rate(), ratio(passes, pass), pass.peak_mib);
-  }
-  return text;
-}
-
-/// One line per stage, one pair of columns per repeat.
-std::string stagesText(const std::vector<BenchPass>& passes) {
-  std::string text = fmt::format("{:<12}  median and p90, ms a frame, of each repeat\n", "stage");
-  for (const std::string_view role : kRoleNames) {
-    if (!passes.front().stages.contains(std::string(role))) continue;
-    text += fmt::format("{:<12}", role);
-    for (const BenchPass& pass : passes) {
+Table tableOf(const Bench& bench) {
+  Table table{{"pass", "repeat", "frames", "frames/s", "ratio", "peak MiB"}, {}};
+  table.keys = {"pass",  "repeat",   "frames", "seconds", "frames_per_second",
+                "ratio", "peak_mib", "stages"};
+  table.title = bench.name + ": " + bench.source;
+  table.about = {
+      {"name", bench.name}, {"source", bench.source}, {"interrupted", bench.interrupted}};
+  std::vector<std::string_view> roles;  // that were measured
+  std::ranges::copy_if(kRoleNames, std::back_inserter(roles), [&](std::string_view role) {
+    return std::ranges::any_of(bench.passes, [&](const BenchPass& pass) {
+      return pass.stages.contains(std::string(role));
+    });
+  });
+  for (const std::string_view role : roles) table.heading.push_back(fmt::format("{} ms", role));
+  std::map<std::string, std::vector<double>> rates;  // by kind
+  for (const BenchPass& pass : bench.passes) {
+    std::vector<double>& own = rates[pass.kind];
+    own.push_back(pass.rate());
+    const double ratio = own.front() > 0 ? pass.rate() / own.front() : 0;
+    auto& row = table.rows.emplace_back(
+        std::vector<std::string>{pass.kind, std::to_string(own.size()), std::to_string(pass.frames),
+                                 fmt::format("{:.1f}", pass.rate()), fmt::format("{:.2f}", ratio),
+                                 fmt::format("{:.0f}", pass.peak_mib)});
+    Table::Json stages = Table::Json::object();
+    for (const std::string_view role : roles) {
       const auto found = pass.stages.find(std::string(role));
-      if (found == pass.stages.end()) continue;
-      text += fmt::format("{:>11.2f}{:>9.2f}", found->second.median_ms, found->second.p90_ms);
+      const bool known = found != pass.stages.end();
+      row.push_back(
+          known ? fmt::format("{:.2f}/{:.2f}", found->second.median_ms, found->second.p90_ms) : "");
+      if (known) stages[found->first] = evaluation::toJson(found->second);
     }
-    text += "\n";
+    table.values.push_back({pass.kind, own.size(), pass.frames, pass.seconds, pass.rate(), ratio,
+                            pass.peak_mib, stages});
   }
-  return text;
-}
-
-/// Time of rectification over the time of reading and decoding.
-double rectificationRatio(const BenchPass& pass) {
-  const double decoding_s = pass.seconds - pass.rectifying_s;
-  return decoding_s > 0 ? pass.rectifying_s / decoding_s : 0;
-}
-
-/// One column per repeat; empty where nothing is rectified.
-std::string rectificationText(const std::vector<BenchPass>& passes) {
-  std::string text;
-  for (const BenchPass& pass : passes) {
-    if (pass.rectifying_s > 0) text += fmt::format("{:>8.2f}", rectificationRatio(pass));
-  }
-  return text.empty() ? text : "rectifying / reading and decoding:" + text + "\n";
-}
-
-nlohmann::ordered_json passesJson(const std::vector<BenchPass>& passes) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const BenchPass& pass : passes) {
-    nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-    for (const auto& [role, timing] : pass.stages) stages[role] = evaluation::toJson(timing);
-    list.push_back({{"frames", pass.frames},
-                    {"seconds", pass.seconds},
-                    {"frames_per_second", pass.rate()},
-                    {"ratio", ratio(passes, pass)},
-                    {"peak_mib", pass.peak_mib},
-                    {"stages", stages}});
-    if (pass.rectifying_s > 0) {
-      list.back()["rectifying_over_decoding"] = rectificationRatio(pass);
-    }
-  }
-  return list;
-}
-
-}  // namespace
-
-std::string benchText(const Bench& bench) {
-  std::string text = fmt::format("{}: {}\n", bench.name, bench.source);
-  text += fmt::format("{:<12}{:>6}{:>8}{:>11}{:>8}{:>10}\n", "", "repeat", "frames", "frames/s",
-                      "ratio", "peak MiB");
-  text += passesText("source", bench.source_passes) + passesText("chain", bench.chain_passes);
-  text += rectificationText(bench.source_passes);
-  const auto& detailed = bench.chain_passes.empty() ? bench.source_passes : bench.chain_passes;
-  return detailed.empty() ? text : text + "\n" + stagesText(detailed);
-}
-
-nlohmann::ordered_json benchJson(const Bench& bench) {
-  return {{"name", bench.name},
-          {"source", bench.source},
-          {"interrupted", bench.interrupted},
-          {"source_passes", passesJson(bench.source_passes)},
-          {"chain_passes", passesJson(bench.chain_passes)}};
+  if (!bench.passes.empty()) table.notes.emplace_back("stages: median/90 % of a frame");
+  return table;
 }
 
 }  // namespace tolman::experiment

@@ -12,32 +12,8 @@
 #include "config/values.hpp"
 #include "engine/provenance.hpp"
 #include "evaluation/loops.hpp"
-#include "experiment/place_truth.hpp"
-
-namespace tolman::evaluation {
-
-template <class Json>
-void to_json(Json& json, const PrecisionRecall& p) {
-  json = {
-      {"score", p.score}, {"claims", p.claims}, {"precision", p.precision}, {"recall", p.recall}};
-}
-template <class Json>
-void to_json(Json& json, const PlaceClaim& c) {
-  json = {{"query", c.query}, {"place", c.place}, {"score", c.score}, {"right", c.right}};
-}
-
-}  // namespace tolman::evaluation
 
 namespace tolman::experiment {
-
-template <class Json>
-void to_json(Json& json, const OppositePlaces::Claim& c) {
-  json = {{"query", c.query},
-          {"place", c.place},
-          {"score", c.score},
-          {"error_m", c.error_m},
-          {"right", c.right}};
-}
 
 bool isTurned(const PlaceObservation& seen) {
   return std::abs(wrapAngle(seen.relative_yaw)) > std::numbers::pi / 2;
@@ -69,7 +45,7 @@ class Pass {
   };
   /// Adds the templates of this pass to `made_at`, by their ids.
   void show(int pass, std::map<std::int64_t, Template>& made_at) {
-    options_.progress.begin_pass(assembly_.sourceInfo().frames);
+    const auto frame_done = options_.progress(assembly_.sourceInfo().frames);
     Frame frame;
     while (next(frame)) {
       const PlaceObservation seen = observe(frame);
@@ -81,9 +57,8 @@ class Pass {
                            isTurned(seen)});
       }
       ++images_;
-      options_.progress.frame();
+      frame_done();
     }
-    options_.progress.end_pass();
   }
 
   std::int64_t images() const { return images_; }
@@ -307,76 +282,79 @@ PlacesBench runPlacesBench(const engine::SystemOptions& system, const PlacesOpti
 
 namespace {
 
-/// At most `most` points of the curve, evenly spaced, the last one included.
-std::vector<evaluation::PrecisionRecall> thinned(
-    const std::vector<evaluation::PrecisionRecall>& curve, std::size_t most) {
-  std::vector<evaluation::PrecisionRecall> points;
-  const std::size_t count = std::min(most, curve.size());
-  for (std::size_t i = 1; i <= count; ++i) points.push_back(curve[i * curve.size() / count - 1]);
-  return points;
-}
+using Json = Table::Json;
 
-std::string oppositeText(const OppositePlaces& opposite) {
-  if (opposite.findable == 0 && opposite.claims.empty()) return "";
-  std::string text =
-      fmt::format("opposite direction: {} claims, {} right, with a median error of {:.2f} m\n",
-                  opposite.claims.size(), opposite.right(), opposite.medianError());
-  if (opposite.findable == 0) return text;
+void addOpposite(const OppositePlaces& opposite, Table& table) {
+  Json claims = Json::array();
+  for (const OppositePlaces::Claim& c : opposite.claims) {
+    claims.push_back({{"query", c.query},
+                      {"place", c.place},
+                      {"score", c.score},
+                      {"error_m", c.error_m},
+                      {"right", c.right}});
+  }
+  table.about["opposite"] = {{"findable", opposite.findable},
+                             {"found", opposite.found},
+                             {"median_error_m", opposite.medianError()},
+                             {"claims", claims}};
+  if (opposite.findable == 0 && opposite.claims.empty()) return;
+  table.notes.push_back(
+      fmt::format("opposite direction: {} claims, {} right, with a median error of {:.2f} m",
+                  opposite.claims.size(), opposite.right(), opposite.medianError()));
+  if (opposite.findable == 0) return;
   const double share = static_cast<double>(opposite.found) / static_cast<double>(opposite.findable);
-  return text +
-         fmt::format(
-             "{} images pass a known place, {:.3f} of them at most 5 m after a right claim\n",
-             opposite.findable, share);
+  table.notes.push_back(
+      fmt::format("{} images pass a known place, {:.3f} of them at most 5 m after a right claim",
+                  opposite.findable, share));
 }
 
 }  // namespace
 
-std::string placesBenchText(const PlacesBench& bench) {
-  std::string text = fmt::format("{}: place recogniser '{}', {} images, {} templates\n", bench.name,
-                                 bench.plugin, bench.images, bench.templates);
-  text += fmt::format("{:>10}{:>9}{:>11}{:>9}\n", "score", "claims", "precision", "recall");
-  for (const auto& point : thinned(bench.curve, 12)) {
-    text += fmt::format("{:>10.4g}{:>9}{:>11.3f}{:>9.3f}\n", point.score, point.claims,
-                        point.precision, point.recall);
+Table tableOf(const PlacesBench& bench) {
+  Table table{{"score", "claims", "precision", "recall"}, {}};
+  table.keys = table.heading;
+  table.title = fmt::format("{}: place recogniser '{}', {} images, {} templates", bench.name,
+                            bench.plugin, bench.images, bench.templates);
+  constexpr std::size_t kMost = 12;  // rows for readers, evenly spaced, the last one included
+  const std::size_t size = bench.curve.size(), count = std::min(kMost, size);
+  for (std::size_t i = 1; i <= count; ++i) {
+    const evaluation::PrecisionRecall& point = bench.curve[i * size / count - 1];
+    table.rows.push_back({fmt::format("{:.4g}", point.score), std::to_string(point.claims),
+                          fmt::format("{:.3f}", point.precision),
+                          fmt::format("{:.3f}", point.recall)});
   }
-  text += fmt::format("\n{} images have a place to be found\n", bench.findable);
-  for (const double precision : {1.0, 0.99, 0.9}) {
-    text += fmt::format("recall at {:.0f} % precision: {:.3f}\n", 100 * precision,
-                        evaluation::recallAt(bench.curve, precision));
+  for (const evaluation::PrecisionRecall& point : bench.curve) {
+    table.values.push_back({point.score, point.claims, point.precision, point.recall});
   }
-  if (bench.opposite) text += oppositeText(*bench.opposite);
-  text += fmt::format("time of a call: {:.2f} ms median, {:.2f} ms at 99 %\n", bench.median_ms,
-                      bench.p99_ms);
+  table.about = {{"name", bench.name},
+                 {"plugin", bench.plugin},
+                 {"images", bench.images},
+                 {"templates", bench.templates},
+                 {"findable", bench.findable},
+                 {"median_ms", bench.median_ms},
+                 {"p99_ms", bench.p99_ms},
+                 {"state_bytes", bench.state_bytes},
+                 {"interrupted", bench.interrupted}};
+  table.notes.push_back(fmt::format("{} images have a place to be found", bench.findable));
+  for (const int percent : {100, 99, 90}) {
+    const double recall = evaluation::recallAt(bench.curve, percent / 100.0);
+    table.about[fmt::format("recall_at_{}", percent)] = recall;
+    table.notes.push_back(fmt::format("recall at {} % precision: {:.3f}", percent, recall));
+  }
+  Json& claims = table.about["claims"] = Json::array();
+  for (const evaluation::PlaceClaim& c : bench.claims) {
+    claims.push_back(
+        {{"query", c.query}, {"place", c.place}, {"score", c.score}, {"right", c.right}});
+  }
+  if (bench.opposite) addOpposite(*bench.opposite, table);
+  table.notes.push_back(fmt::format("time of a call: {:.2f} ms median, {:.2f} ms at 99 %",
+                                    bench.median_ms, bench.p99_ms));
   if (bench.state_bytes > 0 && bench.templates > 0) {
-    text +=
-        fmt::format("saved state: {} bytes, {:.0f} a template\n", bench.state_bytes,
-                    static_cast<double>(bench.state_bytes) / static_cast<double>(bench.templates));
+    table.notes.push_back(
+        fmt::format("saved state: {} bytes, {:.0f} a template", bench.state_bytes,
+                    static_cast<double>(bench.state_bytes) / static_cast<double>(bench.templates)));
   }
-  return text;
-}
-
-nlohmann::ordered_json placesBenchJson(const PlacesBench& bench) {
-  nlohmann::ordered_json json = {{"name", bench.name},
-                                 {"plugin", bench.plugin},
-                                 {"images", bench.images},
-                                 {"templates", bench.templates},
-                                 {"findable", bench.findable},
-                                 {"recall_at_100", evaluation::recallAt(bench.curve, 1)},
-                                 {"recall_at_99", evaluation::recallAt(bench.curve, 0.99)},
-                                 {"recall_at_90", evaluation::recallAt(bench.curve, 0.9)},
-                                 {"median_ms", bench.median_ms},
-                                 {"p99_ms", bench.p99_ms},
-                                 {"state_bytes", bench.state_bytes},
-                                 {"interrupted", bench.interrupted},
-                                 {"curve", bench.curve},
-                                 {"claims", bench.claims}};
-  if (bench.opposite) {
-    json["opposite"] = {{"findable", bench.opposite->findable},
-                        {"found", bench.opposite->found},
-                        {"median_error_m", bench.opposite->medianError()},
-                        {"claims", bench.opposite->claims}};
-  }
-  return json;
+  return table;
 }
 
 }  // namespace tolman::experiment

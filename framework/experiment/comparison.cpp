@@ -2,25 +2,24 @@
 #include "experiment/comparison.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
 #include "config/text.hpp"
-#include "experiment/averaging.hpp"
 
 namespace tolman::experiment {
 namespace {
 
-bool isRepeated(const std::string& factor) { return factor == "sequence" || factor == "seed"; }
+using Names = std::vector<std::string>;
 
 /// `wanted`, or the one name that ends with it. `kind` is what messages call a name.
-Result<std::string> fullName(const std::string& kind, const std::string& wanted,
-                             const std::vector<std::string>& names, const std::string& advice) {
+Result<std::string> fullName(const std::string& kind, const std::string& wanted, const Names& names,
+                             const std::string& advice) {
   if (std::ranges::find(names, wanted) != names.end()) return wanted;
-  std::vector<std::string> ends;
+  Names ends;
   for (const std::string& name : names) {
     if (name.ends_with("." + wanted)) ends.push_back(name);
   }
@@ -33,19 +32,49 @@ Result<std::string> fullName(const std::string& kind, const std::string& wanted,
                                   "': " + config::listed(ends));
 }
 
-/// The metric for a short name such as "ate", as in the summary of a run.
-std::string metricOf(const std::string& wanted) {
-  static const std::map<std::string, std::string> kShort = {
-      {"ate", "map.ate.rmse_m"},
-      {"odometry_ate", "odometry.ate.rmse_m"},
-      {"t_rel", "map.kitti.t_rel_percent"},
-      {"r_rel", "map.kitti.r_rel_deg_per_100m"}};
-  const auto found = kShort.find(wanted);
-  return found == kShort.end() ? wanted : found->second;
+/// Without --by all factors that vary; if none does, the first. None where each run is a level.
+Names factorsThatVary(const std::vector<RunRow>& rows) {
+  Names names = factorNames(rows);
+  std::erase_if(names, [](const auto& name) { return name == "sequence" || name == "seed"; });
+  if (std::ranges::all_of(rows, &RunRow::is_alone) && names.size() > 1) return {};
+  Names varying;
+  std::ranges::copy_if(names, std::back_inserter(varying), [&](const std::string& name) {
+    return std::ranges::any_of(
+        rows, [&](const RunRow& row) { return row.label(name) != rows.front().label(name); });
+  });
+  return varying.empty() && !names.empty() ? Names{names.front()} : varying;
+}
+
+/// Fills the full name of the metric, and removes runs without it.
+Status chooseMetric(std::vector<RunRow>& rows, const std::string& wanted, Comparison& comparison) {
+  std::set<std::string> known;
+  for (const RunRow& row : rows) {
+    for (const auto& [name, value] : row.metrics) known.insert(name);
+  }
+  const Names names(known.begin(), known.end());
+  Names plain = names;  // the others are parts of figures
+  std::erase_if(plain, [](const std::string& name) { return name.find('.') != name.npos; });
+  const bool has_truth =
+      std::ranges::any_of(rows, [](const RunRow& row) { return !row.truth.empty(); });
+  const Result<std::string> full =
+      fullName("metric", wanted, names,
+               std::string(" in metrics.json") +
+                   (has_truth ? "" : "; the runs have no true poses, and so no errors") +
+                   "; set --metric, for example to one of: " + config::listed(plain));
+  if (!full.isOk()) return full.status();
+  comparison.metric = full.value();
+  const std::size_t all = rows.size();
+  const std::size_t without =
+      std::erase_if(rows, [&](const RunRow& row) { return !row.metrics.contains(full.value()); });
+  if (without > 0) {
+    comparison.notes.push_back(
+        fmt::format("{} of {} runs have no {} and are left out.", without, all, full.value()));
+  }
+  return Status::ok();
 }
 
 /// Sorts by number if all first labels are numbers.
-void sortLevels(std::vector<std::string>& labels) {
+void sortLevels(Names& labels) {
   const auto number = [](const std::string& label) -> std::optional<double> {
     char* end = nullptr;
     const double value = std::strtod(label.c_str(), &end);
@@ -56,120 +85,22 @@ void sortLevels(std::vector<std::string>& labels) {
   std::ranges::stable_sort(labels, {}, [&](const auto& l) { return *number(l); });
 }
 
-/// The rows to compare, and by what.
-class Selection {
- public:
-  Selection(const std::vector<RunRow>& rows, const ComparisonOptions& options)
-      : rows_(rows), options_(options) {}
-
-  /// Removes the other rows; fills `by`, `metric` and notes.
-  Status apply(std::vector<RunRow>& rows, Comparison& comparison) {
-    Status status = chooseRows();
-    if (status.isOk()) status = chooseFactors(comparison.by);
-    if (status.isOk()) status = chooseMetric(comparison);
-    rows = std::move(rows_);
-    return status;
-  }
-
- private:
-  std::vector<std::string> factors() const {
-    std::vector<std::string> names;
-    for (const RunRow& row : rows_) {
-      for (const Factor& factor : row.factors) {
-        if (std::ranges::find(names, factor.name) == names.end()) names.push_back(factor.name);
-      }
-    }
-    return names;
-  }
-
-  Result<std::string> factorNamed(const std::string& wanted) const {
-    const std::vector<std::string> names = factors();
-    return fullName("factor", wanted, names, "; factors: " + config::listed(names));
-  }
-
-  Status chooseRows() {
-    auto only = options_.only;
-    for (auto& [factor, label] : only) {
-      const Result<std::string> full = factorNamed(factor);
-      if (!full.isOk()) return full.status();
-      factor = full.value();
-      std::set<std::string> labels;
-      for (const RunRow& row : rows_) labels.insert(row.label(factor));
-      if (labels.contains(label)) continue;
-      const std::vector<std::string> names(labels.begin(), labels.end());
-      return Status::invalidParameter("no run has " + factor + "=" + label +
-                                      config::didYouMean(label, names) +
-                                      "; values: " + config::listed(names));
-    }
-    std::erase_if(rows_, [&](const RunRow& row) { return !hasLabels(row, only); });
-    return rows_.empty() ? Status::invalidParameter("no run is left to compare") : Status::ok();
-  }
-
-  /// Without options all factors that vary; if none does, the first.
-  Status chooseFactors(std::vector<std::string>& by) const {
-    for (const std::string& wanted : options_.by) {
-      const Result<std::string> full = factorNamed(wanted);
-      if (!full.isOk()) return full.status();
-      by.push_back(full.value());
-    }
-    std::vector<std::string> names = factors();
-    std::erase_if(names, isRepeated);
-    const bool are_alone = std::ranges::all_of(rows_, &RunRow::is_alone);
-    if (!by.empty() || names.empty() || (are_alone && names.size() > 1)) return Status::ok();
-    std::ranges::copy_if(names, std::back_inserter(by), [&](const std::string& name) {
-      return std::ranges::any_of(
-          rows_, [&](const RunRow& row) { return row.label(name) != rows_.front().label(name); });
-    });
-    if (by.empty()) by = {names.front()};
-    return Status::ok();
-  }
-
-  Status chooseMetric(Comparison& comparison) {
-    std::set<std::string> known;
-    for (const RunRow& row : rows_) {
-      for (const auto& [name, value] : row.metrics) known.insert(name);
-    }
-    const std::vector<std::string> names(known.begin(), known.end());
-    std::vector<std::string> plain = names;  // the others are parts of figures
-    std::erase_if(plain, [](const std::string& name) { return name.find('.') != name.npos; });
-    const bool has_truth =
-        std::ranges::any_of(rows_, [](const RunRow& row) { return !row.truth.empty(); });
-    const Result<std::string> full =
-        fullName("metric", metricOf(options_.metric), names,
-                 std::string(" in metrics.json") +
-                     (has_truth ? "" : "; the runs have no true poses, and so no errors") +
-                     "; set --metric, for example to one of: " + config::listed(plain));
-    if (!full.isOk()) return full.status();
-    const std::size_t before = rows_.size();
-    comparison.metric = full.value();
-    std::erase_if(rows_, [&](const RunRow& row) { return !row.metrics.contains(full.value()); });
-    if (rows_.size() < before) {
-      comparison.notes.push_back(fmt::format("{} of {} runs have no {} and are left out.",
-                                             before - rows_.size(), before, full.value()));
-    }
-    return Status::ok();
-  }
-
-  std::vector<RunRow> rows_;
-  const ComparisonOptions& options_;
-};
-
 class Comparer {
  public:
   Comparer(std::vector<RunRow> rows, const ComparisonOptions& options, Comparison& comparison)
       : rows_(std::move(rows)), options_(options), comparison_(comparison) {}
 
   Status run() {
-    Status status =
-        refuseMixtures(pointersTo(rows_), {comparison_.metric}, options_.mixed_coverage);
+    RunPointers pointers;
+    for (const RunRow& row : rows_) pointers.push_back(&row);
+    Status status = refuseMixtures(pointers, {comparison_.metric}, options_.mixed_coverage);
     if (status.isOk() && !comparison_.by.empty()) {
       const Result<std::string> repeated = mergeRepeats(rows_);
       note(repeated.isOk() ? repeated.value() : "");
       status = repeated.status();
     }
     if (!status.isOk()) return status;
-    std::set<std::string> truths;
-    std::set<std::string> sequences;
+    std::set<std::string> truths, sequences;
     for (RunRow& row : rows_) {
       truths.insert(row.truth);
       sequences.insert(row.label("sequence"));
@@ -190,8 +121,8 @@ class Comparer {
     std::string seed;
     const RunRow* row = nullptr;
   };
-  using Values =
-      std::map<std::string, std::map<std::string, Measured>>;  ///< by sequence, by the rest
+  /// By sequence, by the labels that paired runs of two levels must have in common.
+  using Values = std::map<std::string, std::map<std::string, Measured>>;
 
   void note(const std::string& text) {
     if (!text.empty()) comparison_.notes.push_back(text);
@@ -200,12 +131,10 @@ class Comparer {
   /// Sets fewest_, and notes seeds and factors that change nothing.
   void noteEqualResults() {
     std::map<std::string, std::pair<std::set<std::string>, std::size_t>> settings;
-    std::set<std::string> own;
     for (const RunRow& row : rows_) {
       auto& [results, runs] = settings[row.labelsWithout({"seed"})];
       results.insert(row.results);
       ++runs;
-      own.insert(row.label("sequence") + row.results);
     }
     std::size_t equal = 0;  // settings in which several seeds gave the same results
     for (const auto& [setting, of] : settings) {
@@ -219,17 +148,8 @@ class Comparer {
           "while means, medians and sd are over all runs.",
           equal, settings.size()));
     }
-    if (own.size() < rows_.size()) {
-      const std::string names = config::listed(factorsWithoutEffect(rows_));
-      if (equal == 0) {
-        note(fmt::format(
-            "Only {} of {} runs have results of their own, byte for byte: {}.", own.size(),
-            rows_.size(),
-            names.empty() ? "some levels of a factor change nothing" : names + " changes nothing"));
-      } else if (!names.empty()) {
-        note(names + " changes nothing, byte for byte.");
-      }
-    }
+    const Names idle = factorsWithoutEffect(rows_);
+    if (!idle.empty()) note(config::listed(idle) + " changes nothing, byte for byte.");
     if (fewest_ < kMinSeeds) {
       note(
           fmt::format("Not enough runs for intervals and tests: {} different results a setting, at "
@@ -238,32 +158,18 @@ class Comparer {
     }
   }
 
-  /// Labels that paired runs of two levels must have in common, besides the sequence.
-  std::string restOf(const RunRow& row) const {
-    if (comparison_.by.empty()) return "";
-    std::vector<std::string> left_out = comparison_.by;
-    left_out.emplace_back("sequence");
-    return row.labelsWithout(left_out);
-  }
-
-  /// Values by seed. Runs of one seed that differ in other factors are not independent: they count
-  /// as one.
-  using SeedMeans = std::map<std::string, std::vector<double>>;
-  static std::vector<double> meansOf(const SeedMeans& runs) {
-    std::vector<double> means;
-    for (const auto& [seed, values] : runs) means.push_back(summaryOf(values).mean);
-    return means;
-  }
-
   Status fillLevels() {
-    std::vector<std::string> order;
+    Names order;
     std::map<std::string, Values> values;  // by level
+    Names left_out = comparison_.by;
+    left_out.emplace_back("sequence");
     for (const RunRow& row : rows_) {
-      const std::string label = comparison_.by.empty() ? row.name : levelName(row, comparison_.by);
+      const bool is_level = comparison_.by.empty();  // each run is one
+      const std::string label = is_level ? row.name : levelName(row, comparison_.by);
       if (!values.contains(label)) order.push_back(label);
-      const Measured run = {row.metrics.at(comparison_.metric), row.label("seed"), &row};
-      const auto [other, is_new] =
-          values[label][row.label("sequence")].try_emplace(restOf(row), run);
+      const auto [other, is_new] = values[label][row.label("sequence")].try_emplace(
+          is_level ? "" : row.labelsWithout(left_out),
+          Measured{row.metrics.at(comparison_.metric), row.label("seed"), &row});
       if (!is_new) return oneSetting(*other->second.row, row);
     }
     sortLevels(order);
@@ -276,9 +182,7 @@ class Comparer {
     const Values& baseline = values.at(comparison_.baseline);
     for (const std::string& label : order) {
       Level& level = comparison_.levels.emplace_back(levelOf(label, values.at(label)));
-      if (label != comparison_.baseline) {
-        level.difference = difference(values.at(label), baseline);
-      }
+      if (label != comparison_.baseline) level.difference = difference(values.at(label), baseline);
     }
     if (fewest_ >= kMinSeeds && order.size() > 1) note(fewSamplesNote(sequences_, fewest_));
     if (order.size() > 1) note(sameTruthNote(rows_));
@@ -286,18 +190,31 @@ class Comparer {
     return Status::ok();
   }
 
-  Level levelOf(const std::string& label, const Values& values) const {
-    Level level{label};
+  /// For each sequence the means of its seeds: runs of one seed that differ in other factors are
+  /// not independent, and count as one. `value` of a run may be none.
+  template <class Value>
+  static std::vector<std::vector<double>> seedMeans(const Values& values, const Value& value) {
     std::vector<std::vector<double>> groups;
     for (const auto& [sequence, runs] : values) {
-      SeedMeans means;
+      std::map<std::string, std::vector<double>> seeds;
       for (const auto& [rest, run] : runs) {
-        means[run.seed].push_back(run.value);
-        level.values.push_back(run.value);
-        level.directories.push_back(run.row->directory);
+        const std::optional<double> known = value(sequence, rest, run);
+        if (known) seeds[run.seed].push_back(*known);
       }
-      groups.push_back(meansOf(means));
+      if (seeds.empty()) continue;
+      groups.emplace_back();
+      for (const auto& [seed, of] : seeds) groups.back().push_back(summaryOf(of).mean);
     }
+    return groups;
+  }
+
+  Level levelOf(const std::string& label, const Values& values) const {
+    Level level{label};
+    const auto groups = seedMeans(values, [&](const auto&, const auto&, const Measured& run) {
+      level.values.push_back(run.value);
+      level.directories.push_back(run.row->directory);
+      return std::optional(run.value);
+    });
     level.summary = summaryOf(level.values);
     if (fewest_ >= kMinSeeds) level.interval = bootstrapMean(groups, options_.seed);
     return level;
@@ -305,25 +222,21 @@ class Comparer {
 
   PairedDifference difference(const Values& level, const Values& baseline) const {
     PairedDifference paired;
-    std::vector<std::vector<double>> groups;
+    const auto groups = seedMeans(
+        level, [&](const std::string& sequence, const std::string& rest, const Measured& run) {
+          const auto same = baseline.find(sequence);
+          if (same == baseline.end() || !same->second.contains(rest))
+            return std::optional<double>();
+          ++paired.pairs;
+          return std::optional(run.value - same->second.at(rest).value);
+        });
+    if (groups.empty()) return paired;
     std::vector<double> means;
     std::size_t fewest = fewest_;
-    for (const auto& [sequence, runs] : level) {
-      const auto same = baseline.find(sequence);
-      if (same == baseline.end()) continue;
-      SeedMeans differences;
-      for (const auto& [rest, run] : runs) {
-        const auto other = same->second.find(rest);
-        if (other == same->second.end()) continue;
-        differences[run.seed].push_back(run.value - other->second.value);
-        ++paired.pairs;
-      }
-      if (differences.empty()) continue;
-      groups.push_back(meansOf(differences));
-      fewest = std::min(fewest, groups.back().size());
-      means.push_back(summaryOf(groups.back()).mean);
+    for (const std::vector<double>& group : groups) {
+      means.push_back(summaryOf(group).mean);
+      fewest = std::min(fewest, group.size());
     }
-    if (groups.empty()) return paired;
     paired.mean = summaryOf(means).mean;
     // Of one sequence of several, seeds would be tested where the other levels test sequences.
     const bool is_of_seeds = groups.size() == 1 && sequences_ > 1;
@@ -336,12 +249,11 @@ class Comparer {
   /// The mean of a level is over runs, its interval over sequences and seeds. They are of one
   /// estimate only if all sequences, and all seeds of one, have as many runs.
   void noteUnevenRuns(const std::map<std::string, Values>& values) {
-    std::vector<std::string> uneven;
+    Names uneven;
     std::set<std::size_t> sizes;
     for (const Level& level : comparison_.levels) {
       sizes.insert(level.summary.n);
-      std::set<std::size_t> runs;
-      std::set<std::size_t> seeds;
+      std::set<std::size_t> runs, seeds;
       for (const auto& [sequence, own] : values.at(level.label)) {
         std::map<std::string, std::size_t> by_seed;
         for (const auto& [rest, run] : own) ++by_seed[run.seed];
@@ -370,69 +282,113 @@ class Comparer {
   std::size_t fewest_ = SIZE_MAX;  ///< smallest number of different results of one setting
 };
 
+using Json = Table::Json;
+
+Json lowOf(const std::optional<Interval>& range) { return range ? Json(range->low) : Json(); }
+Json highOf(const std::optional<Interval>& range) { return range ? Json(range->high) : Json(); }
+
+/// As the keys of tableOf().
+std::vector<Json> valuesOf(const Level& level) {
+  const Summary& s = level.summary;
+  std::vector<Json> values = {level.label,
+                              s.n,
+                              s.mean,
+                              lowOf(level.interval),
+                              highOf(level.interval),
+                              s.median,
+                              s.n > 1 ? Json(s.deviation) : Json(),
+                              s.low,
+                              s.high};
+  const PairedDifference none;
+  const PairedDifference& d = level.difference ? *level.difference : none;
+  for (const Json& value :
+       {level.difference ? Json(d.pairs) : Json(), d.pairs > 0 ? Json(d.mean) : Json(),
+        lowOf(d.interval), highOf(d.interval), d.test ? Json(d.test->p) : Json(),
+        d.test ? Json(d.test->effect) : Json()}) {
+    values.push_back(value);
+  }
+  return values;
+}
+
+/// The columns for readers, from valuesOf().
+std::vector<std::string> textsOf(const std::vector<Json>& values) {
+  const auto number = [&](std::size_t i, const char* format, const char* none) {
+    return values[i].is_null() ? std::string(none)
+                               : fmt::format(fmt::runtime(format), values[i].get<double>());
+  };
+  const auto range = [&](std::size_t low) {
+    return values[low].is_null()
+               ? "not enough runs"
+               : number(low, "{:.4g}", "") + " to " + number(low + 1, "{:.4g}", "");
+  };
+  const bool is_baseline = values[9].is_null(), has_pairs = !values[10].is_null();
+  const bool is_small = !values[13].is_null() && values[13].get<double>() < 0.001;
+  return {values[0].get<std::string>(),
+          number(1, "{:g}", ""),
+          number(2, "{:.4g}", ""),
+          range(3),
+          number(5, "{:.4g}", ""),
+          number(6, "{:.4g}", "-"),
+          number(10, "{:+.4g}", is_baseline ? "baseline" : "no pairs"),
+          has_pairs ? range(11) : "",
+          number(13, is_small ? "{:.1e}" : "{:.3f}", ""),
+          number(14, "{:+.2f}", "")};
+}
+
 }  // namespace
+
+bool hasLabels(const RunRow& row, const Labels& only) {
+  return std::ranges::all_of(only, [&](const auto& asked) {
+    return std::ranges::any_of(only, [&](const auto& other) {
+      return other.first == asked.first && row.label(other.first) == other.second;
+    });
+  });
+}
+
+Result<Names> fullFactors(const std::vector<RunRow>& rows, const Names& wanted) {
+  const Names names = factorNames(rows);
+  Names full;
+  for (const std::string& name : wanted) {
+    const auto found = fullName("factor", name, names, "; factors: " + config::listed(names));
+    if (!found.isOk()) return found.status();
+    full.push_back(found.value());
+  }
+  return full;
+}
+
+Result<std::vector<RunRow>> selectRuns(std::vector<RunRow> rows, const Labels& only) {
+  Labels full;
+  for (const auto& [factor, label] : only) {
+    const Result<Names> name = fullFactors(rows, {factor});
+    if (!name.isOk()) return name.status();
+    full.emplace_back(name.value().front(), label);
+    std::set<std::string> known;
+    for (const RunRow& row : rows) known.insert(row.label(full.back().first));
+    if (known.contains(label)) continue;
+    const Names labels(known.begin(), known.end());
+    return Status::invalidParameter("no run has " + full.back().first + "=" + label +
+                                    config::didYouMean(label, labels) +
+                                    "; values: " + config::listed(labels));
+  }
+  std::erase_if(rows, [&](const RunRow& row) { return !hasLabels(row, full); });
+  if (rows.empty()) return Status::invalidParameter("no run is left to compare");
+  return rows;
+}
 
 Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options) {
   Comparison comparison;
-  std::vector<RunRow> chosen;
-  Status status = Selection(rows, options).apply(chosen, comparison);
-  if (status.isOk()) status = Comparer(std::move(chosen), options, comparison).run();
+  Result<std::vector<RunRow>> chosen = selectRuns(rows, options.only);
+  if (!chosen.isOk()) return chosen.status();
+  const Result<Names> by = fullFactors(chosen.value(), options.by);
+  if (!by.isOk()) return by.status();
+  comparison.by = options.by.empty() ? factorsThatVary(chosen.value()) : by.value();
+  Status status = chooseMetric(chosen.value(), options.metric, comparison);
+  if (status.isOk()) {
+    status = Comparer(std::move(chosen).value(), options, comparison).run();
+  }
   if (!status.isOk()) return status;
   return comparison;
 }
-
-namespace {
-
-std::string number(double value) { return fmt::format("{:.4g}", value); }
-
-std::string rangeText(const std::optional<Interval>& interval) {
-  return interval ? number(interval->low) + " to " + number(interval->high) : "not enough runs";
-}
-
-std::vector<std::string> textsOf(const Level& level) {
-  const Summary& s = level.summary;
-  std::vector<std::string> row = {level.label,      std::to_string(s.n),
-                                  number(s.mean),   rangeText(level.interval),
-                                  number(s.median), s.n > 1 ? number(s.deviation) : "-"};
-  std::vector<std::string> difference = {"baseline", "", "", ""};
-  if (const auto& d = level.difference) {
-    difference[0] = d->pairs == 0 ? "no pairs" : fmt::format("{:+.4g}", d->mean);
-    if (d->pairs > 0) difference[1] = rangeText(d->interval);
-    if (d->test) {
-      const double p = d->test->p;
-      difference[2] = p < 0.001 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
-      difference[3] = fmt::format("{:+.2f}", d->test->effect);
-    }
-  }
-  row.insert(row.end(), difference.begin(), difference.end());
-  return row;
-}
-
-std::vector<Table::Json> valuesOf(const Level& level) {
-  using Json = Table::Json;
-  const Summary& s = level.summary;
-  const auto& d = level.difference;
-  const auto low = [](const auto& range) { return range ? Json(range->low) : Json(); };
-  const auto high = [](const auto& range) { return range ? Json(range->high) : Json(); };
-  const std::optional<Interval> none;
-  return {level.label,
-          s.n,
-          s.mean,
-          low(level.interval),
-          high(level.interval),
-          s.median,
-          s.n > 1 ? Json(s.deviation) : Json(),
-          s.low,
-          s.high,
-          d ? Json(d->pairs) : Json(),
-          d && d->pairs > 0 ? Json(d->mean) : Json(),
-          low(d ? d->interval : none),
-          high(d ? d->interval : none),
-          d && d->test ? Json(d->test->p) : Json(),
-          d && d->test ? Json(d->test->effect) : Json()};
-}
-
-}  // namespace
 
 Table tableOf(const Comparison& comparison) {
   const std::string by =
@@ -444,8 +400,8 @@ Table tableOf(const Comparison& comparison) {
                 "min",   "max",  "pairs", "difference", "difference_low", "difference_high", "p",
                 "effect"};
   for (const Level& level : comparison.levels) {
-    table.rows.push_back(textsOf(level));
     table.values.push_back(valuesOf(level));
+    table.rows.push_back(textsOf(table.values.back()));
   }
   table.about = {{"metric", comparison.metric},
                  {"by", comparison.by},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compares runs: the levels of factors over all sequences and seeds, paired with a baseline; or
-// metrics as cells of a table with the levels of one factor as columns.
+// metrics as cells of a table with the levels of one factor as columns. Which runs may be averaged,
+// and what the reader of a table must know of them.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +16,19 @@
 
 namespace tolman::experiment {
 
+/// Factors and labels: a run has, for each factor, one of its labels here.
+using Labels = std::vector<std::pair<std::string, std::string>>;
+bool hasLabels(const RunRow& row, const Labels& only);
+
 struct ComparisonOptions {
   std::string metric = "map.ate.rmse_m";  ///< a key of metrics.json, or its last parts
   /// Factors; empty: all that vary besides sequence and seed. But if runs outside a sweep differ in
   /// more than one key, each run is a level of its own.
   std::vector<std::string> by;
-  std::vector<std::pair<std::string, std::string>> only;  ///< see hasLabels()
-  std::string baseline;                                   ///< level; empty: the first
-  bool mixed_coverage = false;                            ///< average runs whose coverage differs
-  std::uint64_t seed = 1;                                 ///< of the bootstrap
+  Labels only;
+  std::string baseline;         ///< level; empty: the first
+  bool mixed_coverage = false;  ///< average runs whose coverage differs
+  std::uint64_t seed = 1;       ///< of the bootstrap
 };
 
 /// Differences to the baseline, between runs that are equal in all other factors.
@@ -58,27 +63,67 @@ struct Comparison {
 inline constexpr std::size_t kMinSeeds = 3;
 
 /// InvalidParameter for an unknown metric or factor; InvalidInput for runs that must not be
-/// averaged (averaging.hpp).
+/// averaged.
 Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options);
 
 Table tableOf(const Comparison& comparison);
 
 struct PivotOptions {
-  std::vector<std::string> by;  ///< factors of the rows; empty: all but the columns' and seed
-  std::string columns;          ///< factor of the columns; empty: those of `values`
-  std::vector<std::pair<std::string, std::string>> values;  ///< heading and cell of each column
+  std::vector<std::string> by;    ///< factors of the rows; empty: all but the columns' and seed
+  std::string columns;            ///< factor of the columns; empty: those of `values`
+  Labels values;                  ///< heading and cell of each column
   std::vector<std::string> over;  ///< factors besides the seed over which a cell takes the mean
   /// Text of a cell, with metrics and their formats in braces: "{map.ate.rmse_m:.2f} m".
   std::string cell;
   /// Rows above the others, as label and cell; they show the runs of the first row.
-  std::vector<std::pair<std::string, std::string>> heads;
-  std::vector<std::pair<std::string, std::string>> only;  ///< see hasLabels()
-  bool mixed_coverage = false;                            ///< as in ComparisonOptions
+  Labels heads;
+  Labels only;
+  bool mixed_coverage = false;  ///< as in ComparisonOptions
 };
 
 /// A cell of several runs has the means of their metrics. InvalidParameter for unknown names and
 /// formats; InvalidInput where the runs of one cell differ in more than the seed, or must not be
 /// averaged.
 Result<Table> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& options);
+
+/// The rows with the labels of `only`, whose factors may be given by their ends. InvalidParameter
+/// for unknown names, and if no row is left.
+Result<std::vector<RunRow>> selectRuns(std::vector<RunRow> rows, const Labels& only);
+/// The full names of these factors of the rows.
+Result<std::vector<std::string>> fullFactors(const std::vector<RunRow>& rows,
+                                             const std::vector<std::string>& wanted);
+
+using RunPointers = std::vector<const RunRow*>;
+
+/// InvalidInput for runs with different alignments, for runs that tracked nothing, for runs of one
+/// sequence with different true poses or coverages (by more than 2 %), and where one of `metrics`
+/// is a drift over segments of different lengths. With `mixed_coverage` coverages may differ.
+Status refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
+                      bool mixed_coverage);
+
+/// Keeps one run of each setting (same factors, seed and sequence). Returns a note about the number
+/// of removed runs, which have the same results; empty if there are none. InvalidInput for two runs
+/// of one setting with different results: they must not be in one statistic.
+Result<std::string> mergeRepeats(std::vector<RunRow>& rows);
+/// The failure that these two runs of one setting have different results.
+Status oneSetting(const RunRow& a, const RunRow& b);
+
+/// The labels of these factors, joined by ", ": the name of a row of a table.
+std::string levelName(const RunRow& row, const std::vector<std::string>& by);
+
+/// Factors besides seed and sequence whose levels never changed the results (byte for byte) in runs
+/// that are equal in all other factors.
+std::vector<std::string> factorsWithoutEffect(const std::vector<RunRow>& rows);
+
+/// A warning about the signed rank test and the bootstrap for few sequences, or few seeds of one
+/// sequence: the smallest possible p is 2 / 2^n. Empty if that is below 0.05.
+std::string fewSamplesNote(std::size_t sequences, std::size_t seeds);
+
+/// A warning about sequences that have one true path, such as copies of one drive; empty if all
+/// differ. Test and bootstrap take them for independent.
+std::string sameTruthNote(const std::vector<RunRow>& rows);
+
+/// Notes on runs that lost tracking, and on runs that cover different shares of their truth.
+std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows);
 
 }  // namespace tolman::experiment

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "config/text.hpp"
-#include "experiment/averaging.hpp"
 #include "experiment/comparison.hpp"
 
 namespace tolman::experiment {
@@ -66,11 +65,23 @@ Result<std::string> filled(const std::vector<CellPart>& parts, const RunPointers
 class Pivot {
  public:
   Pivot(const std::vector<RunRow>& rows, const PivotOptions& options)
-      : options_(options), runs_(pointersTo(rows)) {}
+      : rows_of_runs_(rows), options_(options) {}
 
   Result<Table> table() {
-    if (runs_.empty()) return Status::invalidParameter("no run is left to compare");
-    if (Status status = chooseFactors(); !status.isOk()) return status;
+    const Result<Names> by = fullFactors(rows_of_runs_, options_.by);
+    const Result<Names> over = fullFactors(rows_of_runs_, options_.over);
+    const Result<Names> columns =
+        fullFactors(rows_of_runs_, options_.values.empty() ? Names{options_.columns} : Names());
+    for (const Result<Names>* names : {&by, &over, &columns}) {
+      if (!names->isOk()) return names->status();
+    }
+    by_ = by.value();
+    averaged_ = over.value();
+    averaged_.emplace_back("seed");
+    if (!columns.value().empty()) across_ = columns.value().front();
+    for (const std::string& name : factorNames(rows_of_runs_)) {
+      if (options_.by.empty() && !isAveraged(name) && name != across_) by_.push_back(name);
+    }
     fill();
     Table table{{fmt::format("{}", fmt::join(by_, ", "))}, {}};
     for (const Column& column : columns_) table.heading.push_back(column.heading);
@@ -94,6 +105,7 @@ class Pivot {
   }
 
  private:
+  using Names = std::vector<std::string>;
   struct Column {
     std::string heading;
     std::string label;  ///< of the factor of the columns
@@ -106,35 +118,17 @@ class Pivot {
   };
 
   bool isAveraged(const std::string& factor) const {
-    return factor == "seed" || std::ranges::find(options_.over, factor) != options_.over.end();
-  }
-
-  Status chooseFactors() {
-    std::vector<std::string> names;
-    for (const Factor& factor : runs_.front()->factors) names.push_back(factor.name);
-    std::vector<std::string> wanted = options_.by;
-    wanted.insert(wanted.end(), options_.over.begin(), options_.over.end());
-    if (options_.values.empty()) wanted.push_back(options_.columns);
-    for (const std::string& name : wanted) {
-      if (std::ranges::find(names, name) != names.end()) continue;
-      return Status::invalidParameter("no factor '" + name + "'" + config::didYouMean(name, names) +
-                                      "; factors: " + config::listed(names));
-    }
-    by_ = options_.by;
-    for (const std::string& name : names) {
-      if (options_.by.empty() && !isAveraged(name) && name != options_.columns) by_.push_back(name);
-    }
-    return Status::ok();
+    return std::ranges::find(averaged_, factor) != averaged_.end();
   }
 
   /// Levels and columns are in the order of their first occurrence.
   void fill() {
     for (const auto& [heading, cell] : options_.values) columns_.push_back({heading, "", cell});
-    for (const RunRow* run : runs_) {
-      const std::string level = levelName(*run, by_);
-      const std::string label = run->label(options_.columns);
+    for (const RunRow& run : rows_of_runs_) {
+      const std::string level = levelName(run, by_);
+      const std::string label = run.label(across_);
       if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);
-      cells_[{level, label}].push_back(run);
+      cells_[{level, label}].push_back(&run);
       const bool is_known = std::ranges::find(columns_, label, &Column::label) != columns_.end();
       if (options_.values.empty() && !is_known) columns_.push_back({label, label, options_.cell});
     }
@@ -144,12 +138,12 @@ class Pivot {
   Result<std::string> cellOf(const Row& row, const Column& column) const {
     const auto parts = partsOf(row.cell.empty() ? column.cell : row.cell);
     if (!parts.isOk()) return parts.status();
-    std::vector<std::string> metrics;
+    Names metrics;
     for (const CellPart& part : parts.value()) {
       if (part.metric.empty()) continue;
       metrics.push_back(part.metric);
       const bool is_known = std::ranges::any_of(
-          runs_, [&](const RunRow* run) { return run->metrics.contains(part.metric); });
+          rows_of_runs_, [&](const RunRow& run) { return run.metrics.contains(part.metric); });
       if (!is_known) {
         return Status::invalidParameter("no run has the metric '" + part.metric + "'");
       }
@@ -178,27 +172,28 @@ class Pivot {
     return Status::ok();
   }
 
+  const std::vector<RunRow>& rows_of_runs_;
   const PivotOptions& options_;
-  std::vector<std::string> by_;
-  RunPointers runs_;
+  Names by_;
+  Names averaged_;
+  std::string across_;  ///< factor of the columns; empty for none
   std::vector<Column> columns_;
   std::vector<Row> rows_;
-  std::vector<std::string> levels_;
+  Names levels_;
   std::map<std::pair<std::string, std::string>, RunPointers> cells_;  ///< by level and column
 };
 
 }  // namespace
 
 Result<Table> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& options) {
-  std::vector<RunRow> wanted;
-  std::ranges::copy_if(rows, std::back_inserter(wanted),
-                       [&](const RunRow& row) { return hasLabels(row, options.only); });
-  const Result<std::string> repeated = mergeRepeats(wanted);
+  Result<std::vector<RunRow>> wanted = selectRuns(rows, options.only);
+  if (!wanted.isOk()) return wanted.status();
+  const Result<std::string> repeated = mergeRepeats(wanted.value());
   if (!repeated.isOk()) return repeated.status();
-  Result<Table> table = Pivot(wanted, options).table();
+  Result<Table> table = Pivot(wanted.value(), options).table();
   if (!table.isOk()) return table;
   std::vector<std::string>& notes = table.value().notes;
-  std::ranges::move(trackingNotes(wanted), std::back_inserter(notes));
+  std::ranges::move(trackingNotes(wanted.value()), std::back_inserter(notes));
   if (!repeated.value().empty()) notes.push_back(repeated.value());
   return table;
 }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/place_truth.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,8 +10,8 @@
 #include "base/bounded_json.hpp"
 #include "base/text_file.hpp"
 #include "config/values.hpp"
-#include "experiment/tables.hpp"
-#include "report/axes.hpp"
+#include "experiment/bench_places.hpp"
+#include "experiment/figures.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -161,7 +159,7 @@ Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file) {
   try {
     const Json measured = bounded_json::parse<Json>(text.value());
     PlaceCurve curve{measured.at("name").get<std::string>(), {}};
-    for (const Json& point : measured.at("curve").get_ref<const Json::array_t&>()) {
+    for (const Json& point : measured.at("rows").get_ref<const Json::array_t&>()) {
       const auto precision = point.at("precision").get<double>();
       const auto recall = point.at("recall").get<double>();
       if (std::min(precision, recall) < 0 || std::max(precision, recall) > 1) return refusal;
@@ -183,17 +181,8 @@ std::string placeCurvesFigure(const std::vector<PlaceCurve>& curves) {
     }
     lines.push_back(std::move(line));
   }
-  const double top = 30 + report::Axes::legendHeight(report::legendOf(lines), 470);
-  report::Svg svg(560, 400 + top);
-  report::plot(svg,
-               {"Places recognised",
-                "recall",
-                "precision",
-                {0, 1},
-                {0, 1.03},
-                report::frame(70, top, 540, 350 + top)},
-               lines);
-  return svg.take();
+  return curveFigure({"Places recognised", "recall", "precision", {0, 1}, {0, 1.03}, {}},
+                     std::move(lines), {560, 420});
 }
 
 }  // namespace tolman::experiment

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/planner.hpp"
-
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
@@ -11,6 +9,7 @@
 
 #include "config/loader.hpp"
 #include "engine/checked_system.hpp"
+#include "experiment/sweep_folder.hpp"
 #include "record/digest.hpp"
 
 namespace tolman::experiment {
@@ -58,6 +57,11 @@ class Planner {
       : options_(options), plan_(plan), catalogue_(engine::openCatalogue(options.plugin_paths)) {
     const auto host = record::fileDigest("/proc/self/exe");
     host_ = host.isOk() ? host.value() : "unreadable";
+    for (const auto* runs : {&options.frozen.earlier, &options.frozen.planned}) {
+      for (const PlannedRun& run : *runs) {
+        for (const record::DataDigest& data : run.inputs.data) known_[data.path] = data;
+      }
+    }
   }
 
   void make(const SweepFile& sweep) {
@@ -200,9 +204,7 @@ class Planner {
   const record::DataDigest* data(const std::string& path) {
     const auto found = plan_.data.find(path);
     if (found != plan_.data.end()) return &found->second;
-    const auto known = options_.known.find(path);
-    auto digest = record::digestData(
-        path, known == options_.known.end() ? record::DataDigest() : known->second);
+    auto digest = record::digestData(path, known_[path]);
     if (!digest.isOk()) {
       addProblem({config::Origin::ofFile(path), "", digest.status().message()});
       return nullptr;
@@ -301,6 +303,7 @@ class Planner {
   Plan& plan_;
   host::Catalogue catalogue_;
   std::string host_;
+  std::map<std::string, record::DataDigest> known_;  ///< of earlier plans, by path
   std::map<const FrontEnd*, config::Loaded> bases_;
   std::map<std::string, PriorRun> prior_runs_;                            ///< by name
   std::map<std::tuple<std::string, Role, std::string>, Plugin> plugins_;  ///< by id and program

@@ -214,12 +214,14 @@ std::string RunRow::labelsWithout(const std::vector<std::string>& left_out) cons
   return labels;
 }
 
-bool hasLabels(const RunRow& row, const std::vector<std::pair<std::string, std::string>>& only) {
-  return std::ranges::all_of(only, [&](const auto& asked) {
-    return std::ranges::any_of(only, [&](const auto& other) {
-      return other.first == asked.first && row.label(other.first) == other.second;
-    });
-  });
+std::vector<std::string> factorNames(const std::vector<RunRow>& rows) {
+  std::vector<std::string> names;
+  for (const RunRow& row : rows) {
+    for (const Factor& factor : row.factors) {
+      if (std::ranges::find(names, factor.name) == names.end()) names.push_back(factor.name);
+    }
+  }
+  return names;
 }
 
 Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
@@ -254,12 +256,9 @@ Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
 }
 
 Table tableOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted) {
-  std::vector<std::string> factors;
+  const std::vector<std::string> factors = factorNames(rows);
   std::set<std::string> metrics;
   for (const RunRow& row : rows) {
-    for (const Factor& factor : row.factors) {
-      if (std::ranges::find(factors, factor.name) == factors.end()) factors.push_back(factor.name);
-    }
     for (const auto& [name, value] : row.metrics) {
       const bool is_wanted =
           wanted.empty() ? !isTime(name)

@@ -47,7 +47,7 @@ std::string unfinishedText(const std::filesystem::path& sweep);
 /// metrics `wanted`; by default all except times.
 Table tableOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted = {});
 
-/// Whether a run has, for each factor in `only`, one of its labels there.
-bool hasLabels(const RunRow& row, const std::vector<std::pair<std::string, std::string>>& only);
+/// The factors of all rows, in the order of their first occurrence.
+std::vector<std::string> factorNames(const std::vector<RunRow>& rows);
 
 }  // namespace tolman::experiment

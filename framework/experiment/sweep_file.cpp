@@ -7,32 +7,30 @@
 #include <array>
 #include <boost/random/sobol.hpp>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "base/text_file.hpp"
 #include "config/loader.hpp"
 #include "config/settings.hpp"
+#include "config/text.hpp"
 #include "config/values.hpp"
 #include "tolman/context.hpp"
 #include "tolman/parameters.hpp"
 
 namespace tolman::experiment {
 
-std::vector<std::vector<double>> sobolPoints(std::size_t count, std::size_t dimensions) {
-  boost::random::sobol engine(dimensions);  // begins with the second point; the first is zero
+std::vector<std::vector<double>> samplePoints(std::size_t count, std::size_t dimensions,
+                                              std::optional<std::uint64_t> seed) {
+  boost::random::sobol sequence(dimensions);  // begins with the second point; the first is zero
+  RandomStream random(seed.value_or(0));
   std::vector<std::vector<double>> points(count, std::vector<double>(dimensions, 0));
-  for (std::size_t i = 1; i < count; ++i) {
-    for (double& coordinate : points[i]) coordinate = static_cast<double>(engine()) * 0x1.0p-64;
-  }
-  return points;
-}
-
-std::vector<std::vector<double>> randomPoints(std::size_t count, std::size_t dimensions,
-                                              std::uint64_t seed) {
-  RandomStream random(seed);
-  std::vector<std::vector<double>> points(count, std::vector<double>(dimensions));
   for (auto& point : points) {
-    for (double& coordinate : point) coordinate = random.uniform();
+    if (!seed && &point == &points.front()) continue;
+    for (double& coordinate : point) {
+      coordinate = seed ? random.uniform() : static_cast<double>(sequence()) * 0x1.0p-64;
+    }
   }
   return points;
 }
@@ -235,8 +233,7 @@ class Reader {
     }
     const auto count = static_cast<std::size_t>(keys.count);
     const auto shares =
-        is_sobol ? sobolPoints(count, ranged.size())
-                 : randomPoints(count, ranged.size(), static_cast<std::uint64_t>(keys.seed));
+        samplePoints(count, ranged.size(), is_sobol ? std::nullopt : std::optional(keys.seed));
     Axis axis;
     for (const auto& point : shares) {
       Choice& choice = axis.emplace_back();
@@ -332,6 +329,133 @@ class Reader {
   config::Problems& problems_;
 };
 
+constexpr std::size_t kMaxPoints = 100'000;
+
+void join(SweepPoint& point, const Choice& choice) {
+  for (const Factor& factor : choice.factors) point.factors.push_back(factor);
+  for (const Setting& setting : choice.settings) point.settings.push_back(setting);
+  if (choice.front_end) point.front_end = choice.front_end;
+}
+
+/// Combines each point with each choice; the axis varies fastest.
+std::vector<SweepPoint> times(const std::vector<SweepPoint>& points, const Axis& axis) {
+  std::vector<SweepPoint> product;
+  for (const SweepPoint& point : points) {
+    for (const Choice& choice : axis) {
+      if (product.size() > kMaxPoints) return product;
+      join(product.emplace_back(point), choice);
+    }
+  }
+  return product;
+}
+
+/// The keys of single values that a setting sets.
+void addKeys(const std::string& key, const config::Node& value,
+             std::map<std::string, config::Origin>& keys) {
+  if (!value.isMap() || value.children.empty()) keys.emplace(key, value.origin);
+  if (!value.isMap()) return;
+  for (const config::Node& child : value.children) addKeys(key + "." + child.key, child, keys);
+}
+
+/// The keys and factors that an axis sets.
+std::map<std::string, config::Origin> keysOf(const Axis& axis) {
+  std::map<std::string, config::Origin> keys;
+  for (const Choice& choice : axis) {
+    for (const Setting& setting : choice.settings) addKeys(setting.key, *setting.value, keys);
+    for (const Factor& factor : choice.factors) {
+      const auto& settings = choice.settings;
+      keys.emplace("factor " + factor.name,
+                   settings.empty() ? config::Origin() : settings.front().value->origin);
+    }
+  }
+  return keys;
+}
+
+/// Refuses axes of the same runs that set the same key: the later one would override the other,
+/// whose label would then be wrong.
+void refuseOverlaps(const SweepFile& sweep, config::Problems& problems) {
+  const auto refuse = [&](const Axis& a, const Axis& b) {
+    const auto others = keysOf(a);
+    for (const auto& [key, origin] : keysOf(b)) {
+      const auto same = std::ranges::find_if(others, [&](const auto& other) {
+        return key == other.first || key.starts_with(other.first + ".") ||
+               other.first.starts_with(key + ".");
+      });
+      if (same == others.end()) continue;
+      problems.push_back({origin, key,
+                          "is set at " + config::text(same->second) +
+                              " for the same runs; remove one of the two"});
+      return;
+    }
+  };
+  std::vector<const Axis*> product;
+  for (const auto* axes : {&sweep.axes, &sweep.repeats}) {
+    for (const Axis& axis : *axes) {
+      for (const Axis* other : product) refuse(*other, axis);
+      if (axes == &sweep.repeats) refuse(sweep.include, axis);
+      product.push_back(&axis);
+    }
+  }
+}
+
+void removeExcluded(std::vector<SweepPoint>& points, const SweepFile& sweep,
+                    config::Problems& problems) {
+  std::vector<std::string> names;
+  for (const SweepPoint& point : points) {
+    for (const Factor& factor : point.factors) {
+      if (std::ranges::find(names, factor.name) == names.end()) names.push_back(factor.name);
+    }
+  }
+  for (const Exclusion& exclusion : sweep.exclude) {
+    const auto refuse = [&](const std::string& why) {
+      problems.push_back({exclusion.origin, "exclude", why});
+    };
+    for (const auto& [factor, labels] : exclusion.conditions) {
+      if (std::ranges::find(names, factor) != names.end()) continue;
+      refuse("no factor '" + factor + "'" + config::didYouMean(factor, names) +
+             "; factors: " + config::listed(names));
+    }
+    const std::size_t removed = std::erase_if(points, [&](const SweepPoint& point) {
+      return std::ranges::all_of(exclusion.conditions, [&](const auto& condition) {
+        return std::ranges::any_of(point.factors, [&](const Factor& factor) {
+          return factor.name == condition.first &&
+                 std::ranges::find(condition.second, factor.label) != condition.second.end();
+        });
+      });
+    });
+    if (removed == 0) refuse("leaves out no point; remove the entry, or correct its labels");
+    if (points.empty()) return refuse("leaves out all points that were left");
+  }
+}
+
+/// Names of factors, shortened to the last part if that is unique: "period" for "cells.period".
+std::map<std::string, std::string> shortNames(const std::vector<SweepPoint>& points) {
+  std::map<std::string, std::set<std::string>> by_end;
+  for (const SweepPoint& point : points) {
+    for (const Factor& factor : point.factors) {
+      by_end[factor.name.substr(factor.name.rfind('.') + 1)].insert(factor.name);
+    }
+  }
+  std::map<std::string, std::string> names;
+  for (const auto& [end, full] : by_end) {
+    for (const std::string& name : full) names[name] = full.size() == 1 ? end : name;
+  }
+  return names;
+}
+
+void nameAll(std::vector<SweepPoint>& points, const SweepFile& sweep) {
+  const auto names = shortNames(points);
+  std::map<std::string, int> taken;
+  for (SweepPoint& point : points) {
+    for (const Factor& factor : point.factors) {
+      point.name += (point.name.empty() ? "" : ",") + names.at(factor.name) + "=" + factor.label;
+    }
+    if (point.name.empty()) point.name = sweep.name;
+    const int before = taken[point.name]++;
+    if (before > 0) point.name += "#" + std::to_string(before + 1);
+  }
+}
+
 }  // namespace
 
 SweepFile readSweep(const std::filesystem::path& file, const config::Environment& environment,
@@ -353,6 +477,24 @@ SweepFile readSweep(const std::filesystem::path& file, const config::Environment
   }
   Reader(sweep, problems).read(*tree);
   return sweep;
+}
+
+std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& problems) {
+  refuseOverlaps(sweep, problems);
+  std::vector<SweepPoint> points(1);
+  const bool only_included = sweep.axes.empty() && !sweep.include.empty();
+  if (only_included) points.clear();
+  for (const Axis& axis : sweep.axes) points = times(points, axis);
+  for (const SweepPoint& point : times(std::vector<SweepPoint>(1), sweep.include))
+    points.push_back(point);
+  for (const Axis& axis : sweep.repeats) points = times(points, axis);
+  if (points.size() > kMaxPoints) {
+    problems.push_back({config::Origin::ofFile(sweep.file), "", "has more than 100000 points"});
+    return {};
+  }
+  removeExcluded(points, sweep, problems);
+  nameAll(points, sweep);
+  return points;
 }
 
 }  // namespace tolman::experiment

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,12 +84,10 @@ std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& probl
 
 inline constexpr std::size_t kSobolDimensions = 10;
 
-/// The first points of Sobol's sequence in the order of the Gray code (Antonov and Saleev 1979),
-/// with the direction numbers of Joe and Kuo (2008).
-std::vector<std::vector<double>> sobolPoints(std::size_t count, std::size_t dimensions);
-
-/// Independent uniform points.
-std::vector<std::vector<double>> randomPoints(std::size_t count, std::size_t dimensions,
-                                              std::uint64_t seed);
+/// Points in the unit cube: independent uniform ones, or without a seed the first points of Sobol's
+/// sequence in the order of the Gray code (Antonov and Saleev 1979), with the direction numbers of
+/// Joe and Kuo (2008).
+std::vector<std::vector<double>> samplePoints(std::size_t count, std::size_t dimensions,
+                                              std::optional<std::uint64_t> seed);
 
 }  // namespace tolman::experiment

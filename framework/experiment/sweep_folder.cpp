@@ -2,11 +2,15 @@
 #include "experiment/sweep_folder.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 #include <utility>
+#include <variant>
 
 #include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
@@ -15,8 +19,10 @@
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/run_directory.hpp"
+#include "record/run_reader.hpp"
 
 namespace tolman::experiment {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,17 +86,25 @@ Json readJson(const fs::path& file) {
 
 }  // namespace
 
-Status freeze(const fs::path& sweep, const PlannedRun& run) {
-  const fs::path folder = sweep / run.folder;
-  std::error_code error;
-  if (fs::exists(folder / "point.json", error)) return Status::ok();
-  fs::create_directories(folder, error);
-  if (error) return Status::failed(folder.string() + ": " + error.message());
-  const Status written =
-      record::writeAtomically(folder / "config.yaml", run.config, record::Sync::No);
-  if (!written.isOk()) return written;
-  return record::writeAtomically(folder / "point.json", config::jsonText(jsonOf(run), 1) + "\n",
-                                 record::Sync::No);
+Status freeze(const fs::path& sweep, const std::vector<PlannedRun>& todo,
+              const std::vector<PlannedRun>& plan) {
+  Status status;
+  const auto write = [&](const fs::path& file, const std::string& text) {
+    if (status.isOk()) status = record::writeAtomically(file, text, record::Sync::No);
+  };
+  for (const PlannedRun& run : todo) {
+    const fs::path folder = sweep / run.folder;
+    std::error_code error;
+    if (fs::exists(folder / "point.json", error)) continue;
+    fs::create_directories(folder, error);
+    if (error) return Status::failed(folder.string() + ": " + error.message());
+    write(folder / "config.yaml", run.config);
+    write(folder / "point.json", config::jsonText(jsonOf(run), 1) + "\n");
+  }
+  std::string order;
+  for (const PlannedRun& run : plan) order += run.folder + "\n";
+  write(sweep / "points.txt", order);
+  return status;
 }
 
 Result<PlannedRun> readPoint(const fs::path& folder) {
@@ -129,12 +143,6 @@ FrozenRuns frozenRuns(const fs::path& sweep) {
   return runs;
 }
 
-Status writePlanOrder(const fs::path& sweep, const std::vector<PlannedRun>& runs) {
-  std::string text;
-  for (const PlannedRun& run : runs) text += run.folder + "\n";
-  return record::writeAtomically(sweep / "points.txt", text, record::Sync::No);
-}
-
 PointOutcome outcomeOf(const fs::path& folder) {
   const fs::path file = folder / "outcome.json";
   std::error_code ignored;
@@ -148,16 +156,11 @@ PointOutcome outcomeOf(const fs::path& folder) {
       return {state, json.at("exit_code"), json.at("message"), json.at("wall_s"),
               json.at("replayed")};
     } catch (const Json::exception&) {
-      return {PointState::Failed, 0, file.string() + ": is damaged; remove it", 0, false};
+      return {PointState::Failed, 0, file.string() + ": is damaged; remove it"};
     }
   }
-  PointOutcome outcome;
-  if (record::RunDirectory::isBeingWritten(folder)) {
-    outcome.state = PointState::Running;
-  } else if (fs::exists(folder / "run", ignored)) {
-    outcome.state = PointState::Interrupted;
-  }
-  return outcome;
+  if (record::RunDirectory::isBeingWritten(folder)) return {PointState::Running};
+  return {fs::exists(folder / "run", ignored) ? PointState::Interrupted : PointState::Planned};
 }
 
 Status writeOutcome(const fs::path& folder, const PointOutcome& outcome) {
@@ -169,24 +172,156 @@ Status writeOutcome(const fs::path& folder, const PointOutcome& outcome) {
   return record::writeAtomically(folder / "outcome.json", config::jsonText(json, 1) + "\n");
 }
 
-std::map<std::string, record::DataDigest> readKnownData(const fs::path& sweep) {
-  std::map<std::string, record::DataDigest> known;
-  try {
-    for (const Json& data : readJson(sweep / "data.json")) {
-      record::DataDigest digest = digestOf(data);
-      known[digest.path] = std::move(digest);
-    }
-  } catch (const Json::exception&) {
-    known.clear();  // the data are read again
-  }
-  return known;
+namespace {
+
+namespace fs = std::filesystem;
+using engine::FailureKind;
+
+constexpr const char* kPlanAgain =
+    " has changed since the run was planned; plan it again with "
+    "`tolman sweep`, which makes a new run of it";
+
+[[noreturn]] void refuse(FailureKind kind, const std::string& message) {
+  throw engine::Failure({kind, message});
 }
 
-Status writeKnownData(const fs::path& sweep,
-                      const std::map<std::string, record::DataDigest>& data) {
-  Json json = Json::array();
-  for (const auto& [path, one] : data) json.push_back(jsonOf(one));
-  return record::writeAtomically(sweep / "data.json", config::jsonText(json, 1) + "\n");
+void requireUnchanged(const fs::path& folder, const PlannedRun& point) {
+  const auto config = record::fileDigest(folder / "config.yaml");
+  if (!config.isOk() || config.value() != point.config_sha256) {
+    refuse(
+        FailureKind::Configuration,
+        (folder / "config.yaml").string() +
+            " has changed since the run was planned; change the file of the sweep instead, remove "
+            "this folder, and plan again with `tolman sweep`");
+  }
+  const Inputs& inputs = point.inputs;
+  const auto host = record::fileDigest("/proc/self/exe");
+  if (!host.isOk() || host.value() != inputs.host) {
+    refuse(FailureKind::Configuration, std::string("tolman") + kPlanAgain);
+  }
+  for (const auto& [file, digest] : inputs.plugins) {
+    const auto now = record::fileDigest(file);
+    if (!now.isOk() || now.value() != digest) refuse(FailureKind::Plugin, file + kPlanAgain);
+  }
+  for (const record::DataDigest& data : inputs.data) {
+    const auto now = record::digestData(data.path, data);
+    engine::require(now.status(), FailureKind::Dataset);
+    const bool same =
+        data.sha256.empty() ? now.value().stamp == data.stamp : now.value().sha256 == data.sha256;
+    if (!same) refuse(FailureKind::Dataset, data.path + kPlanAgain);
+  }
+}
+
+/// The configuration to run: the frozen one, or a copy that replays the answers of another run.
+std::string configOf(const fs::path& folder, const PlannedRun& point,
+                     const PointRunOptions& options, bool& replayed) {
+  const fs::path sweep = folder.parent_path();
+  if (!point.front_end_folder.empty()) {
+    const PointOutcome front = outcomeOf(sweep / point.front_end_folder);
+    if (front.state != PointState::Done ||
+        !record::canBeReplayed(sweep / point.front_end_folder / "run")) {
+      refuse(FailureKind::Dataset, "the run " + point.front_end_folder +
+                                       ", which this one needs, is " +
+                                       std::string(enumName(front.state)));
+    }
+  }
+  const fs::path answers = sweep / point.answers_folder / "run";
+  replayed = !point.answers_folder.empty() && record::canBeReplayed(answers);
+  if (!replayed) return (folder / "config.yaml").string();
+  const std::string yaml = "extends: [config.yaml, \"" +
+                           fs::absolute(options.find_config("experiments/replay")).string() +
+                           "\"]\n";
+  engine::require(record::writeAtomically(folder / "replay.yaml", yaml, record::Sync::No),
+                  FailureKind::Record);
+  ::setenv("REPLAY_RUN", fs::absolute(answers).c_str(), 1);  // no other thread reads it
+  return (folder / "replay.yaml").string();
+}
+
+engine::Outcome execute(const fs::path& folder, const PlannedRun& point,
+                        const PointRunOptions& options, const Cancellation& cancellation,
+                        bool& replayed) {
+  requireUnchanged(folder, point);
+  engine::SystemOptions system{
+      configOf(folder, point, options, replayed), {}, options.plugin_paths};
+  system.quiet = true;
+  if (options.threads > 0) {
+    system.overrides.push_back("threads=" + std::to_string(options.threads));
+  }
+  if (replayed) system.overrides.push_back("name=\"" + point.name + "\"");
+  engine::CheckedSystem checked = engine::require(engine::checkSystem(system));
+  engine::RunLog log(options.quiet);
+  const engine::SteadyClock clock;
+  engine::Run run(
+      log, clock, cancellation,
+      {folder / "run", true, {}, options.command_line, point.keeps_answers, options.exit_code});
+  return run.execute(std::move(checked));
+}
+
+/// Removes a run directory without a record, which a new run would refuse to replace.
+void removeUnfinished(const fs::path& run) {
+  std::error_code ignored;
+  if (!fs::exists(run / "run.json", ignored) && !fs::exists(run / "run.sqlite", ignored)) {
+    fs::remove_all(run, ignored);
+  }
+}
+
+/// Waits while another process runs this point, for example one whose sweep was killed just before.
+record::FileDescriptor lockWhenFree(const fs::path& folder, const Cancellation& cancellation) {
+  for (;;) {
+    record::FileDescriptor lock = record::lockFolder(folder);
+    std::error_code ignored;
+    if (lock.isOpen() || cancellation.requested() || !fs::is_directory(folder, ignored))
+      return lock;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
+}  // namespace
+
+PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
+                      const Cancellation& cancellation) {
+  const fs::path folder = fs::absolute(given).lexically_normal();
+  std::error_code ignored;
+  const bool is_point = fs::exists(folder / "point.json", ignored);
+  const std::string problem =
+      config::absence(folder, is_point ? "" : "is no folder of a run of a sweep");
+  if (!problem.empty()) {
+    return {PointState::Failed, options.failure_code({FailureKind::Configuration, ""}),
+            folder.string() + ": " + problem};
+  }
+  const record::FileDescriptor lock = lockWhenFree(folder, cancellation);
+  if (!lock.isOpen()) return {PointState::Interrupted};
+  PointOutcome outcome = outcomeOf(folder);
+  const bool ended =
+      outcome.state == PointState::Done || (outcome.state == PointState::Failed && !options.retry);
+  if (ended) return outcome;
+  const auto begin = std::chrono::steady_clock::now();
+  outcome = {PointState::Failed};
+  fs::remove(folder / "outcome.json", ignored);
+  try {
+    const auto point = readPoint(folder);
+    engine::require(point.status(), FailureKind::Configuration);
+    removeUnfinished(folder / "run");
+    const engine::Outcome ran =
+        execute(folder, point.value(), options, cancellation, outcome.replayed);
+    outcome.exit_code = options.exit_code(ran);
+    if (ran.failure) outcome.message = ran.failure->message;
+    if (!ran.failure) outcome.state = ran.interrupted ? PointState::Interrupted : PointState::Done;
+    if (outcome.lostTracking()) {
+      outcome.message = "odometry was not tracking at the end, or found no motion in the whole run";
+    }
+  } catch (const engine::Failure& failed) {
+    outcome.exit_code = options.failure_code(failed);
+    outcome.message = failed.what();
+  }
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (outcome.state == PointState::Interrupted || cancellation.requested()) return outcome;
+  const Status written = writeOutcome(folder, outcome);
+  if (!written.isOk()) {
+    const int code = options.failure_code({FailureKind::Record, written.message()});
+    outcome = {PointState::Failed, code, written.message(), outcome.wall_s};
+  }
+  return outcome;
 }
 
 }  // namespace tolman::experiment

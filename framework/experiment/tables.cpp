@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiment/tables.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "config/json_text.hpp"
@@ -73,6 +74,26 @@ Table exact(const Table& table) {
 }
 
 }  // namespace
+
+std::string textOf(const Table& table) {
+  std::vector<std::size_t> widths(table.heading.size(), 0);
+  std::vector<std::vector<std::string>> lines = table.rows;
+  lines.insert(lines.begin(), table.heading);
+  for (const auto& line : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+  }
+  std::string text = table.title.empty() ? "" : table.title + "\n";
+  for (const auto& line : lines) {
+    std::string out;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const std::string gap(widths[k] - line[k].size(), ' ');
+      out += k == 0 ? line[k] + gap : "  " + gap + line[k];
+    }
+    text += out.substr(0, out.find_last_not_of(' ') + 1) + "\n";
+  }
+  for (const std::string& note : table.notes) text += note + "\n";
+  return text;
+}
 
 std::string markdownOf(const Table& table) {
   const auto line = [](const std::vector<std::string>& row, const Escapes& cell) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A table for readers, as Markdown or LaTeX (booktabs), and for programs, as CSV or JSON.
+// A table for readers, as text, Markdown or LaTeX (booktabs), and for programs, as CSV or JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,6 +15,7 @@ struct Table {
   std::vector<std::string> heading;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> notes{};  ///< sentences below the table; not in CSV
+  std::string title{};               ///< line above the table; in text only
 
   // The columns and exact values for programs; empty where they are those for readers.
   std::vector<std::string> keys{};
@@ -22,6 +23,8 @@ struct Table {
   Json about = Json::object();              ///< further members of the JSON
 };
 
+/// Columns aligned for a terminal.
+std::string textOf(const Table& table);
 /// The first column is left-aligned, the others right. The heading and the first column are labels,
 /// which may contain marks of Markdown, but are plain text in LaTeX; the other cells may contain
 /// marks of both. No character in a cell breaks the row.

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "base/record_rows.hpp"
-#include "evaluation/alignment.hpp"
 #include "evaluation/association.hpp"
-#include "evaluation/cell_scoring.hpp"
+#include "evaluation/metrics.hpp"
 #include "evaluation/plausibility.hpp"
 #include "record/digest.hpp"
 #include "record/export.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/unit_scores.hpp"
+#include "evaluation/recorded_cells.hpp"
 #include "report/run_data.hpp"
 #include "tolman/status.hpp"
 

@@ -79,7 +79,7 @@ void checkCurve(const nlohmann::json& json) {
   const auto& claims = json["claims"];
   std::int64_t right = 0;
   double last = -1;
-  for (const auto& point : json["curve"]) {
+  for (const auto& point : json["rows"]) {
     CHECK(point["score"].get<double>() > last);
     last = point["score"];
     std::int64_t made = 0;
@@ -93,7 +93,7 @@ void checkCurve(const nlohmann::json& json) {
     CHECK(point["precision"].get<double>() == Approx(double(right) / double(made)));
     CHECK(point["recall"].get<double>() == Approx(double(right) / json["findable"].get<double>()));
   }
-  CHECK(json["curve"].back()["claims"] == claims.size());
+  CHECK(json["rows"].back()["claims"] == claims.size());
 }
 
 }  // namespace
@@ -182,7 +182,7 @@ TEST_CASE("bench places prints the curve, recalls, times and memory") {
   INFO(finished.out << finished.err);
   REQUIRE(finished.exit_code == 0);
   CHECK(finished.out.starts_with("places: place recogniser 'view_sequences', 120 images, "));
-  CHECK(contains(finished.out, "\n     score   claims  precision   recall\n"));
+  CHECK(contains(finished.out, "\nscore"));
   CHECK(
       contains(finished.out, "\n60 images have a place to be found\nrecall at 100 % precision: "));
   CHECK(contains(finished.out, "\nrecall at 90 % precision: "));
@@ -190,7 +190,7 @@ TEST_CASE("bench places prints the curve, recalls, times and memory") {
   CHECK(contains(finished.out, "\nsaved state: "));
   CHECK(contains(finished.err, "frame 60 of 60 (100 %)"));
   // No more than a dozen points, the last one with all claims.
-  const std::string table = finished.out.substr(0, finished.out.find("\n\n"));
+  const std::string table = finished.out.substr(0, finished.out.find("\n60 images"));
   CHECK(std::count(table.begin(), table.end(), '\n') <= 13);
 }
 

@@ -48,20 +48,20 @@ TEST_CASE("bench measures the source alone and the chain, each repeat in its own
   CHECK(json["name"] == "tiny");
   CHECK(contains(json["source"], "12 stereo pairs"));
   CHECK(json["interrupted"] == false);
-  for (const char* kind : {"source_passes", "chain_passes"}) {
-    INFO(kind);
-    REQUIRE(json[kind].size() == 2);
-    CHECK(json[kind][0]["ratio"] == 1);
-    for (const auto& pass : json[kind]) {
-      CHECK(pass["frames"] == 12);
-      CHECK(pass["seconds"].get<double>() > 0);
-      CHECK(pass["frames_per_second"].get<double>() == Approx(12 / pass["seconds"].get<double>()));
-      CHECK(pass["peak_mib"].get<double>() > 1);
-      CHECK(pass["stages"]["source"]["frames"] == 12);
-    }
+  REQUIRE(json["rows"].size() == 4);
+  CHECK(json["rows"][0]["ratio"] == 1);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& pass = json["rows"][i];
+    CHECK(pass["pass"] == (i < 2 ? "source" : "chain"));
+    CHECK(pass["repeat"] == i % 2 + 1);
+    CHECK(pass["frames"] == 12);
+    CHECK(pass["seconds"].get<double>() > 0);
+    CHECK(pass["frames_per_second"].get<double>() == Approx(12 / pass["seconds"].get<double>()));
+    CHECK(pass["peak_mib"].get<double>() > 1);
+    CHECK(pass["stages"]["source"]["frames"] == 12);
   }
   for (const char* stage : {"source", "odometry", "place", "cells", "map"}) {
-    const auto& timing = json["chain_passes"][1]["stages"][stage];
+    const auto& timing = json["rows"][3]["stages"][stage];
     INFO(stage);
     CHECK(timing["frames"] == 12);
     CHECK(timing["median_ms"].get<double>() <= timing["p90_ms"].get<double>());
@@ -92,19 +92,19 @@ TEST_CASE("bench refuses counts and lengths that are none, in a short sentence")
 TEST_CASE("bench --frames counts exactly so many") {
   const Track track;
   const auto json = track.json({"--repeat", "1", "--frames", "5"});
-  CHECK(json["source_passes"][0]["frames"] == 5);
-  CHECK(json["chain_passes"][0]["frames"] == 5);
-  CHECK(json["chain_passes"][0]["stages"]["map"]["frames"] == 5);
+  CHECK(json["rows"][0]["frames"] == 5);
+  CHECK(json["rows"][1]["frames"] == 5);
+  CHECK(json["rows"][1]["stages"]["map"]["frames"] == 5);
 }
 
 TEST_CASE("bench leaves the chain out when told so, or when there is none") {
   Track track;
-  CHECK(track.json({"--repeat", "1", "--source-only"})["chain_passes"].empty());
+  CHECK(track.json({"--repeat", "1", "--source-only"})["rows"].size() == 1);
   track.config = track.folder.path() / "source.yaml";
   std::ofstream(track.config) << "source: {plugin: kitti, path: sequence}\n";
   const auto json = track.json({"--repeat", "1"});
-  CHECK(json["source_passes"].size() == 1);
-  CHECK(json["chain_passes"].empty());
+  REQUIRE(json["rows"].size() == 1);
+  CHECK(json["rows"][0]["pass"] == "source");
 }
 
 TEST_CASE("bench prints a small table") {
@@ -113,25 +113,11 @@ TEST_CASE("bench prints a small table") {
   REQUIRE(finished.exit_code == 0);
   INFO(finished.out);
   CHECK(finished.out.starts_with("tiny: KITTI odometry, 12 stereo pairs"));
-  CHECK(contains(finished.out, "\n            repeat  frames   frames/s   ratio  peak MiB\n"));
-  CHECK(contains(finished.out, "\nsource           1      12"));
-  CHECK(contains(finished.out, "\nchain            2      12"));
-  CHECK(contains(finished.out, "\nodometry"));
+  CHECK(contains(finished.out, "\npass    repeat  frames  frames/s  ratio  peak MiB "));
+  CHECK(contains(finished.out, "\nsource       1      12"));
+  CHECK(contains(finished.out, "\nchain        2      12"));
+  CHECK(contains(finished.out, " odometry ms"));
   CHECK(contains(finished.err, "frame 12 of 12 (100 %)"));  // the progress of each pass
-}
-
-TEST_CASE("bench says what rectifying raw images costs beside decoding them", "[data]") {
-  const auto recording = dataOrSkip("euroc_v101");
-  if (!recording) return;
-  const Track track;
-  const std::string before = track.bench({"--repeat", "1"}).out;
-  CHECK_FALSE(contains(before, "rectifying"));
-  std::ofstream(track.config) << "source: {plugin: euroc, path: " << *recording << "}\n";
-  CHECK(contains(track.bench({"--repeat", "1"}).out, "\nrectifying / reading and decoding: "));
-  const auto json = track.json({"--repeat", "1"});
-  const double ratio = json["source_passes"][0]["rectifying_over_decoding"];
-  CHECK(ratio > 0);
-  CHECK(ratio < 100);
 }
 
 TEST_CASE("bench of a configuration that is wrong ends as a run would") {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "app/eval_scoring.hpp"
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

@@ -11,7 +11,7 @@
 
 #include "app/painted_source.hpp"
 #include "end_to_end/tiny_kitti.hpp"
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
 #include "layouts.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"

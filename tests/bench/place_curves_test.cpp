@@ -4,7 +4,7 @@
 #include <fstream>
 #include <regex>
 
-#include "experiment/place_truth.hpp"
+#include "experiment/bench_places.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
@@ -43,7 +43,7 @@ std::vector<Polyline> polylinesOf(const std::string& svg) {
 
 TEST_CASE("the curve of a file is that of the measurement") {
   const auto curve = curveOfText(
-      R"({"name": "night", "plugin": "x", "curve": [{"precision": 1, "recall": 0.25, "score": 3},
+      R"({"name": "night", "plugin": "x", "rows": [{"precision": 1, "recall": 0.25, "score": 3},
           {"precision": 0.5, "recall": 0.5}]})");
   REQUIRE(curve.isOk());
   CHECK(curve.value().name == "night");
@@ -52,17 +52,17 @@ TEST_CASE("the curve of a file is that of the measurement") {
   CHECK(curve.value().points[0].recall == 0.25);
   CHECK(curve.value().points[1].precision == 0.5);
   CHECK(curve.value().points[1].recall == 0.5);
-  CHECK(curveOfText(R"({"name": "none", "curve": []})").value().points.empty());
+  CHECK(curveOfText(R"({"name": "none", "rows": []})").value().points.empty());
 }
 
 TEST_CASE("files that are no measurement are refused by name") {
   for (const char* text :
-       {"", "{", "[]", "3", R"({"name": "a"})", R"({"curve": []})", R"({"name": 1, "curve": []})",
-        R"({"name": "a", "curve": {}})", R"({"name": "a", "curve": [1]})",
-        R"({"name": "a", "curve": [{"precision": 1}]})",
-        R"({"name": "a", "curve": [{"precision": "1", "recall": 0}]})",
-        R"({"name": "a", "curve": [{"precision": 1.01, "recall": 0}]})",
-        R"({"name": "a", "curve": [{"precision": 1, "recall": -1e300}]})"}) {
+       {"", "{", "[]", "3", R"({"name": "a"})", R"({"rows": []})", R"({"name": 1, "rows": []})",
+        R"({"name": "a", "rows": {}})", R"({"name": "a", "rows": [1]})",
+        R"({"name": "a", "rows": [{"precision": 1}]})",
+        R"({"name": "a", "rows": [{"precision": "1", "recall": 0}]})",
+        R"({"name": "a", "rows": [{"precision": 1.01, "recall": 0}]})",
+        R"({"name": "a", "rows": [{"precision": 1, "recall": -1e300}]})"}) {
     const auto curve = curveOfText(text);
     CAPTURE(text);
     REQUIRE_FALSE(curve.isOk());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which images show the same place: by number, by a file of pairs, by poses.
-#include "experiment/place_truth.hpp"
+#include "experiment/bench_places.hpp"
 
 #include <sys/stat.h>
 

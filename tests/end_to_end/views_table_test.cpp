@@ -30,7 +30,7 @@ std::pair<std::string, std::string> measured(const fs::path& data, const Cells& 
   const Finished finished = tolman::test::tolman(command);
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
-  const auto curve = nlohmann::json::parse(finished.out)["curve"];
+  const auto curve = nlohmann::json::parse(finished.out)["rows"];
   REQUIRE_FALSE(curve.empty());
   return {fmt::format("{:.2f}", curve.back()["precision"].get<double>()),
           fmt::format("{:.2f}", curve.back()["recall"].get<double>())};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/alignment.hpp"
+#include "evaluation/association.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -8,7 +8,7 @@
 
 #include "evaluation/loops.hpp"
 #include "evaluation/paths.hpp"
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

@@ -8,7 +8,7 @@
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
 #include "evaluation/plausibility.hpp"
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
 #include "evaluation/truth_sensor.hpp"
 #include "support/data.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scores of ideal units are far above chance, those of noise at chance.
-#include "evaluation/unit_scores.hpp"
+#include "evaluation/recorded_cells.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

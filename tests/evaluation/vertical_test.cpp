@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "evaluation/alignment.hpp"
+#include "evaluation/association.hpp"
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
 #include "evaluation/score.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <catch2/catch.hpp>
 
-#include "experiment/averaging.hpp"
+#include "experiment/comparison.hpp"
 #include "experiment/statistics.hpp"
 
 namespace tolman::experiment {

@@ -2,7 +2,6 @@
 // Runs that are given twice count once, or are refused if they differ.
 #include <catch2/catch.hpp>
 
-#include "experiment/averaging.hpp"
 #include "experiment/comparison.hpp"
 
 using namespace tolman;

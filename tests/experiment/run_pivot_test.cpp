@@ -113,7 +113,7 @@ TEST_CASE("what is no table is refused") {
   asked.by = {"seed"};
   CHECK(message(asked).find("would be one cell; name 'model'") != std::string::npos);
   asked.only = {{"model", "none"}};
-  CHECK(message(asked) == "no run is left to compare");
+  CHECK(message(asked) == "no run has model=none; values: a, b, c");
 }
 
 TEST_CASE("a table that was cut after its first line is told as that") {

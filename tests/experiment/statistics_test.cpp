@@ -81,9 +81,9 @@ TEST_CASE("Sobol' points") {
                                                      {0.25, 0.75, 0.75, 0.75},
                                                      {0.375, 0.375, 0.625, 0.875},
                                                      {0.875, 0.875, 0.125, 0.375}};
-  CHECK(sobolPoints(6, 4) == expected);
+  CHECK(samplePoints(6, 4, std::nullopt) == expected);
   // Each of the first 2^k points lies in an interval of its own, in every dimension.
-  const auto points = sobolPoints(256, kSobolDimensions);
+  const auto points = samplePoints(256, kSobolDimensions, std::nullopt);
   for (std::size_t d = 0; d < kSobolDimensions; ++d) {
     std::vector<int> hits(256, 0);
     for (const auto& point : points) ++hits[static_cast<std::size_t>(point[d] * 256)];
@@ -92,6 +92,6 @@ TEST_CASE("Sobol' points") {
 }
 
 TEST_CASE("random points follow from the seed") {
-  CHECK(randomPoints(3, 2, 7) == randomPoints(3, 2, 7));
-  CHECK(randomPoints(3, 2, 7) != randomPoints(3, 2, 8));
+  CHECK(samplePoints(3, 2, 7) == samplePoints(3, 2, 7));
+  CHECK(samplePoints(3, 2, 7) != samplePoints(3, 2, 8));
 }

@@ -3,7 +3,7 @@
 // against a straight drive and against themselves; every error is finite.
 #include "evaluation/metrics.hpp"
 #include "evaluation/plausibility.hpp"
-#include "evaluation/trajectory_files.hpp"
+#include "evaluation/trajectory.hpp"
 #include "input.hpp"
 
 namespace {

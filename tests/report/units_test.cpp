@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "evaluation/cell_scoring.hpp"
+#include "evaluation/metrics.hpp"
 #include "report/recorded_walk.hpp"
 
 using namespace tolman::report;

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <memory>
+#include <set>
+#include <system_error>
+#include <thread>
 #include <utility>
 
-#include "experiment/sweep_runs.hpp"
+#include "experiment/sweep_folder.hpp"
+#include "host/child_process.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::experiment {
@@ -127,6 +136,115 @@ class JobFiles {
   Status status_;
 };
 
+/// Runs the processes of runLocally().
+class Jobs {
+ public:
+  Jobs(const fs::path& sweep, const std::vector<PlannedRun>& runs, const LocalJobsOptions& options,
+       const Cancellation& cancellation)
+      : sweep_(sweep), options_(options), cancellation_(cancellation) {
+    state_.all = runs.size();
+    for (const PlannedRun& run : runs) {
+      waiting_.insert(run.folder);
+      todo_.push_back(&run);
+    }
+  }
+
+  JobsState run() {
+    constexpr std::chrono::milliseconds kPoll(20);
+    bool interrupted = false;  // the processes have been
+    while (!running_.empty() || (!todo_.empty() && !stopping())) {
+      if (!stopping()) startReady();
+      if (stopping() && !std::exchange(interrupted, true)) {
+        for (const Job& job : running_) job.process->signal(SIGINT);
+      }
+      std::this_thread::sleep_for(kPoll);
+      std::erase_if(running_, [&](const Job& job) {
+        if (!job.process->hasEnded()) return false;
+        end(*job.run, outcomeOfJob(job));
+        return true;
+      });
+      show();
+    }
+    return state_;
+  }
+
+ private:
+  struct Job {
+    const PlannedRun* run;
+    std::unique_ptr<host::ChildProcess> process;
+  };
+
+  bool stopping() const { return cancellation_.requested(); }
+
+  /// Starts runs whose answers or maps to build on have ended.
+  void startReady() {
+    for (auto next = todo_.begin(); next != todo_.end() && running_.size() < options_.jobs;) {
+      const PlannedRun& run = **next;
+      const bool waits =
+          waiting_.contains(run.front_end_folder) || waiting_.contains(run.answers_folder);
+      next = waits ? next + 1 : todo_.erase(next);
+      if (!waits) start(run);
+    }
+  }
+
+  void start(const PlannedRun& run) {
+    const std::string folder = (sweep_ / run.folder).string();
+    std::vector<std::string> words = options_.command;
+    words.push_back(folder);
+    const record::FileDescriptor output(
+        ::open((folder + "/output.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    try {
+      running_.push_back({&run, std::make_unique<host::ChildProcess>(
+                                    words, std::vector<int>(),
+                                    output.isOpen() ? output.number() : STDERR_FILENO)});
+    } catch (const std::system_error& error) {
+      constexpr int kNoProcess = 70;
+      end(run, {PointState::Failed, kNoProcess, error.what()});
+    }
+  }
+
+  /// The outcome that the process has written, or one from how it ended.
+  PointOutcome outcomeOfJob(const Job& job) const {
+    constexpr int kSignalOffset = 128;  // of a shell
+    const fs::path folder = sweep_ / job.run->folder;
+    PointOutcome outcome = outcomeOf(folder);
+    if (outcome.state == PointState::Done || outcome.state == PointState::Failed) return outcome;
+    if (stopping()) return {PointState::Interrupted};
+    const host::ProcessEnd end = job.process->end(std::chrono::milliseconds(0));
+    outcome = {PointState::Failed, end.signal > 0 ? kSignalOffset + end.signal : end.exit_code,
+               "the process " + end.text() + "; see " + (folder / "output.txt").string()};
+    const Status written = writeOutcome(folder, outcome);
+    if (!written.isOk()) outcome.message += "; " + written.message();
+    return outcome;
+  }
+
+  void end(const PlannedRun& run, const PointOutcome& outcome) {
+    waiting_.erase(run.folder);
+    if (outcome.state == PointState::Interrupted) return;
+    ++state_.ended;
+    if (outcome.state != PointState::Done) ++state_.failed;
+    if (outcome.lostTracking()) ++state_.lost;
+    options_.on_end(run, outcome, state_);
+  }
+
+  void show() {
+    const auto now = std::chrono::steady_clock::now();
+    state_.seconds = std::chrono::duration<double>(now - begin_).count();
+    state_.running.clear();
+    for (const Job& job : running_) state_.running.push_back(job.run->name);
+    options_.on_state(state_);
+  }
+
+  fs::path sweep_;
+  const LocalJobsOptions& options_;
+  const Cancellation& cancellation_;
+  std::vector<const PlannedRun*> todo_;
+  std::set<std::string> waiting_;  ///< folders of runs that have not ended
+  std::vector<Job> running_;
+  JobsState state_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::string& name,
@@ -138,6 +256,11 @@ Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::st
   if (kind == "parallel") files.parallel();
   if (kind == "snakemake") files.snakemake();
   return files.result();
+}
+
+JobsState runLocally(const fs::path& sweep, const std::vector<PlannedRun>& runs,
+                     const LocalJobsOptions& options, const Cancellation& cancellation) {
+  return Jobs(sweep, runs, options, cancellation).run();
 }
 
 }  // namespace tolman::experiment

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Figures of a comparison, as wide as a column of a paper (88.9 mm), in colours that colour-blind
-// readers can distinguish (Okabe and Ito 2008).
+// Figures of measurements: curves, and those of a comparison, as wide as a column of a paper (88.9
+// mm), in colours that colour-blind readers can distinguish (Okabe and Ito 2008).
 #pragma once
 
 #include <array>
@@ -13,6 +13,10 @@
 #include "report/axes.hpp"
 
 namespace tolman::experiment {
+
+/// Curves in axes (whose place is chosen), with their legend above, as SVG. `size` in px.
+std::string curveFigure(report::AxesPlan plan, const std::vector<report::Curve>& curves,
+                        const Eigen::Vector2d& size);
 
 enum class FigureKind : std::uint8_t {
   Auto,     ///< Line where the first factor is a number, else Box
@@ -27,15 +31,9 @@ inline constexpr std::array<std::string_view, 6> kFigureKindNames = {"auto",    
 constexpr std::span<const std::string_view> enumNames(FigureKind) { return kFigureKindNames; }
 
 /// SVG. Distance and Maps open the records of the runs, and need a single true path.
-/// InvalidParameter for several true paths, and for Line if the labels are not numbers.
+/// InvalidParameter for several true paths, and for Line if the labels are not numbers;
+/// InvalidInput for records that cannot be read.
 Result<std::string> comparisonFigure(const Comparison& comparison,
                                      FigureKind kind = FigureKind::Auto);
-
-/// The position error (m) of each level over the driven path (m) in 100 parts: mean of its runs,
-/// and quartiles as a band. InvalidInput for records that cannot be read.
-Result<std::vector<report::Curve>> errorCurves(const Comparison& comparison);
-
-/// The map of the median run of each level, x right and y forward in m, then the true path.
-Result<std::vector<report::Curve>> mapCurves(const Comparison& comparison);
 
 }  // namespace tolman::experiment
