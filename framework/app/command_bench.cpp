@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "app/options.hpp"
-#include "app/progress_line.hpp"
+#include "app/program.hpp"
 #include "experiment/bench.hpp"
 #include "experiment/bench_places.hpp"
 #include "record/atomic_file.hpp"

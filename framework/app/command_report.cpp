@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "app/options.hpp"
-#include "app/progress_line.hpp"
+#include "app/program.hpp"
 #include "engine/replay_server.hpp"
 #include "engine/results.hpp"
 #include "engine/services.hpp"

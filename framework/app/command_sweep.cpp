@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "app/options.hpp"
-#include "app/progress_line.hpp"
+#include "app/program.hpp"
 #include "config/text.hpp"
 #include "config/values.hpp"
-#include "experiment/run_table.hpp"
+#include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "host/child_process.hpp"
 #include "host/scratch_folder.hpp"

@@ -10,7 +10,7 @@
 #include "base/number_text.hpp"
 #include "base/text_encoding.hpp"
 #include "config/text.hpp"
-#include "evaluation/plausibility.hpp"
+#include "evaluation/score.hpp"
 #include "evaluation/step_series.hpp"
 
 namespace tolman::app {

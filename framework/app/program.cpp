@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/program.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <iostream>
 #include <new>
+#include <unistd.h>
 
 #include "app/options.hpp"
 #include "config/json_text.hpp"
@@ -21,6 +20,7 @@
 #include "record/output_places.hpp"
 
 namespace tolman::app {
+
 namespace {
 
 struct Example {
@@ -239,6 +239,33 @@ void printFiles(const std::vector<std::filesystem::path>& files, const Invocatio
     if (!invocation.json && !invocation.quiet) std::cout << file.string() << "\n";
   }
   if (invocation.json) std::cout << jsonText({{"files", list}});
+}
+
+Terminal terminalOf(const Invocation& invocation) {
+  return {isatty(STDERR_FILENO) == 1 && !invocation.quiet, invocation.quiet};
+}
+
+std::int64_t framesToCome(std::int64_t wanted, std::int64_t known) {
+  return wanted < 0 || known < 0 ? std::max(wanted, known) : std::min(wanted, known);
+}
+
+ProgressLine::ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal,
+                           std::int64_t total)
+    : clock_(clock),
+      quiet_(terminal.quiet),
+      begin_ns_(clock.steadyNs()),
+      display_(out, terminal.interactive) {
+  frames_.total = total;
+  display_.begin(begin_ns_);
+}
+
+void ProgressLine::step() {
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  ++frames_.done;
+  const std::int64_t now = clock_.steadyNs();
+  frames_.seconds = static_cast<double>(now - begin_ns_) * 1e-9;
+  if (display_.isDue(frames_, now)) display_.show(frameText(frames_), frames_, now);
 }
 
 }  // namespace tolman::app

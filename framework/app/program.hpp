@@ -2,20 +2,27 @@
 // The command line `tolman`: its commands, how they end, and what they share.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/progress_display.hpp"
 #include "engine/failure.hpp"
+#include "tolman/context.hpp"
 #include "tolman/status.hpp"
 
 namespace CLI {
 class App;
 }
+
 namespace tolman::engine {
+
 struct Outcome;
 }
 
@@ -98,5 +105,34 @@ void addExportCommand(CLI::App& app, Invocation& invocation);
 void addSweepCommand(CLI::App& app, Invocation& invocation);
 void addCompareCommand(CLI::App& app, Invocation& invocation);
 void addRerunCommand(CLI::App& app, Invocation& invocation);
+
+// Progress, on stderr, of a command that reads frames without a pipeline.
+
+/// Kind of stderr, and whether the user wants output there.
+struct Terminal {
+  bool interactive = false;  ///< stderr is a terminal, on which a line can be redrawn
+  bool quiet = false;        ///< show nothing
+};
+Terminal terminalOf(const Invocation& invocation);
+
+/// The number of frames to expect when at most `wanted` (-1: all) of `known` (-1: unknown) are
+/// read.
+std::int64_t framesToCome(std::int64_t wanted, std::int64_t known);
+
+class ProgressLine {
+ public:
+  /// `total`: frames to come; -1: not known.
+  ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal, std::int64_t total);
+  /// One more frame is done. May be called from any thread.
+  void step();
+
+ private:
+  const Clock& clock_;
+  bool quiet_;
+  std::mutex mutex_;
+  FrameCount frames_;
+  std::int64_t begin_ns_;
+  ProgressDisplay display_;
+};
 
 }  // namespace tolman::app

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "app/progress_line.hpp"
+#include "app/program.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::app {

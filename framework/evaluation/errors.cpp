@@ -183,6 +183,13 @@ Statistics statistics(std::vector<double> values) {
   return result;
 }
 
+double quantile(const std::vector<double>& sorted, double share) {
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
+}
+
 std::vector<double> positionErrors(const Matches& aligned, Direction direction) {
   std::vector<double> values;
   for (std::size_t i = 0; i < aligned.size(); ++i) {

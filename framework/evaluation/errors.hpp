@@ -30,6 +30,9 @@ struct Statistics {
 /// All 0 for no values.
 Statistics statistics(std::vector<double> values);
 
+/// The quantile, interpolated between the two nearest sorted values (numpy's default method).
+double quantile(const std::vector<double>& sorted, double share);
+
 /// The parts of a distance. Vertical is along the y axis of the truth's world frame; horizontal
 /// is in its x-z plane. score() makes that world the first true camera.
 enum class Direction : std::uint8_t { All, Horizontal, Vertical };

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/plausibility.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,6 +27,22 @@ constexpr double kBetterShare = 1.0 / 3;      // of the misfit as read
 constexpr double kArm = 0.25;                 // of the position error, if an arm is its main cause
 constexpr std::size_t kFewestStretches = 10;  // stretches
 
+/// Root mean square difference of true and estimated motions, relative to the motions themselves: 0
+/// for equal ones, about 1.4 for unrelated ones.
+struct Misfit {
+  double translation = 0;
+  double rotation = 0;
+  double whole() const { return std::hypot(translation, rotation); }
+};
+
+/// A way of reading the poses under which truth and estimate agree.
+struct Hypothesis {
+  std::string name;  ///< of the row of the table
+  std::string text;  ///< "the true poses are world to camera"
+  Misfit before;     ///< of the poses as they are read
+  Misfit after;
+};
+
 using Motions = std::vector<Stretch>;
 using Pose = Eigen::Isometry3d;
 
@@ -44,6 +58,23 @@ double bestScale(const Motions& motions) {
 
 void scaleEstimate(Motions& motions, double scale) {
   for (Stretch& each : motions) each.estimate.translation() *= scale;
+}
+
+/// `free_scale`: after the scale that fits best.
+Misfit misfitOf(Motions motions, bool free_scale) {
+  if (free_scale) scaleEstimate(motions, bestScale(motions));
+  double lengths = 0, apart = 0, angles = 0, turned = 0;
+  for (const Stretch& each : motions) {
+    const auto& [truth, estimate] = std::tie(each.truth, each.estimate);
+    lengths += truth.translation().squaredNorm() + estimate.translation().squaredNorm();
+    apart += (truth.translation() - estimate.translation()).squaredNorm();
+    angles += logSo3(truth.linear()).squaredNorm() + logSo3(estimate.linear()).squaredNorm();
+    turned += logSo3(truth.linear().transpose() * estimate.linear()).squaredNorm();
+  }
+  const auto relative = [&](double part, double whole, double least) {
+    return whole > least * static_cast<double>(motions.size()) ? std::sqrt(2 * part / whole) : 0;
+  };
+  return {relative(apart, lengths, 1e-18), relative(turned, angles, 1e-12)};
 }
 
 bool explains(const Misfit& before, const Misfit& after, double noticeable) {
@@ -242,26 +273,9 @@ class Table {
   std::vector<Hypothesis> found_;
 };
 
-}  // namespace
-
-double Misfit::whole() const { return std::hypot(translation, rotation); }
-
-Misfit misfitOf(Motions motions, bool free_scale) {
-  if (free_scale) scaleEstimate(motions, bestScale(motions));
-  double lengths = 0, apart = 0, angles = 0, turned = 0;
-  for (const Stretch& each : motions) {
-    const auto& [truth, estimate] = std::tie(each.truth, each.estimate);
-    lengths += truth.translation().squaredNorm() + estimate.translation().squaredNorm();
-    apart += (truth.translation() - estimate.translation()).squaredNorm();
-    angles += logSo3(truth.linear()).squaredNorm() + logSo3(estimate.linear()).squaredNorm();
-    turned += logSo3(truth.linear().transpose() * estimate.linear()).squaredNorm();
-  }
-  const auto relative = [&](double part, double whole, double least) {
-    return whole > least * static_cast<double>(motions.size()) ? std::sqrt(2 * part / whole) : 0;
-  };
-  return {relative(apart, lengths, 1e-18), relative(turned, angles, 1e-12)};
-}
-
+/// The hypotheses that hold, best first; of those that are far worse than the best one none.
+/// `free_scale`: lengths are not compared. `by_stamp`: estimates have their own stamps, else those
+/// of their true poses.
 std::vector<Hypothesis> misreadings(const Trajectory& truth, const Matches& matches,
                                     bool free_scale, bool by_stamp) {
   if (matches.size() < kFewestStretches) return {};
@@ -269,8 +283,6 @@ std::vector<Hypothesis> misreadings(const Trajectory& truth, const Matches& matc
   for (const std::size_t steps : stepCounts(matches)) table.tryAll(steps);
   return std::move(table).result();
 }
-
-namespace {
 
 /// A trajectory that never moves: no alignment, drift or scale follows from it.
 std::string stillText(const Matches& matches) {

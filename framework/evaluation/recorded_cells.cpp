@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "evaluation/errors.hpp"
 #include "evaluation/firing_rate.hpp"
 #include "tolman/geometry.hpp"
 
@@ -27,14 +28,6 @@ constexpr int kTuningBins = 36;
 constexpr double kBinsOfPeriod = 8;
 constexpr double kMaxBins = 40;
 constexpr double kMaxDrawnBins = 70;
-
-/// Interpolates linearly between neighbours.
-double percentile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto low = static_cast<std::size_t>(place);
-  const std::size_t high = std::min(low + 1, sorted.size() - 1);
-  return std::lerp(sorted[low], sorted[high], place - static_cast<double>(low));
-}
 
 std::vector<Sample> samplesOf(const RecordedUnits& units, std::size_t unit, std::size_t later) {
   std::vector<Sample> samples = units.walk;
@@ -115,7 +108,7 @@ RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period) {
 std::optional<ErrorFigures> errorFigures(std::vector<double> errors) {
   if (errors.empty()) return std::nullopt;
   std::ranges::sort(errors);
-  return ErrorFigures{errors.size(), percentile(errors, 0.5), percentile(errors, 0.9)};
+  return ErrorFigures{errors.size(), quantile(errors, 0.5), quantile(errors, 0.9)};
 }
 
 std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<double> shuffled,
@@ -123,8 +116,8 @@ std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<do
   if (units.empty() || shuffled.empty()) return std::nullopt;
   std::ranges::sort(units);
   std::ranges::sort(shuffled);
-  UnitScore score{percentile(units, 0.5), 0, percentile(shuffled, 0.5), 0};
-  score.chance = percentile(shuffled, better == Better::More ? 0.95 : 0.05);
+  UnitScore score{quantile(units, 0.5), 0, quantile(shuffled, 0.5), 0};
+  score.chance = quantile(shuffled, better == Better::More ? 0.95 : 0.05);
   const auto better_units = std::ranges::count_if(units, [&](double value) {
     return better == Better::More ? value > score.chance : value < score.chance;
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scores an estimate against the truth, and the JSON of its figures. Doubts about what is scored
-// stand beside them (plausibility.hpp).
+// stand beside them.
 #pragma once
 
 #include <array>
@@ -23,22 +23,6 @@ namespace tolman::evaluation {
 /// A sentence if the poses move along their own x axis and more along the y than along the z axis
 /// of the first pose, as poses with x forward and z up do. Else empty.
 std::string upAxisProblem(const Trajectory& truth);
-
-/// Why the x-z plane of the first pose cannot be that of the drive; empty if it can.
-std::string planeProblem(const Trajectory& truth);
-
-/// On an almost straight path positions do not determine the roll, so horizontal and vertical
-/// errors may be swapped: a quarter turn about a principal direction of the truth increases the
-/// root mean square error by less than 5 %, and turns about it move more than a tenth of the
-/// squared error between the two.
-bool rollIsUnobservable(const Matches& aligned);
-
-/// The orientations of the estimate contradict the alignment, and its positions do not refute them:
-/// a turn of the estimate about its mean position tilts the vertical (y) by more than 10 degrees,
-/// and after it the root mean square error is at most three times as large, or below 1 % of the
-/// true path. The turn is the one that brings the estimated orientations nearest to the true ones,
-/// or its part about a principal direction of the truth.
-bool rollIsContradicted(const Matches& aligned);
 
 /// Errors of a trajectory against ground truth.
 struct Scores {
@@ -67,7 +51,7 @@ struct TrajectoryMetrics {
   std::size_t matched = 0;
   std::optional<Scores> scores;
   std::string reason;   ///< why there are no scores
-  std::string warning;  ///< doubtText() of plausibility.hpp, set by the caller
+  std::string warning;  ///< doubtText(), set by the caller
 };
 
 /// Whether the truth has one orientation throughout while the estimate turns by more than noise.
@@ -102,6 +86,15 @@ Protocol protocolOf(Habit habit, const Trajectory& truth, const Trajectory& esti
 /// Scores an estimate; an empty truth or estimate gives a reason instead of scores.
 TrajectoryMetrics score(const Trajectory& truth, const Trajectory& estimate,
                         const Protocol& protocol);
+
+/// What speaks against a truth or an estimate before anyone believes its figures: is one of the two
+/// read wrongly, or broken somewhere (step_series.hpp)? One sentence each: what was found, and what
+/// to look for. Doubts change no score. Empty for plausible trajectories, whatever the errors of
+/// the estimate. Arguments as for score().
+std::vector<std::string> doubts(const Trajectory& truth, const Trajectory& estimate,
+                                const Protocol& protocol);
+/// All doubts in one text; empty without any.
+std::string doubtText(const std::vector<std::string>& doubts);
 
 /// `odometry` and `map` of metrics.json have the same keys; unknown numbers are null, with the
 /// cause in `reason`.

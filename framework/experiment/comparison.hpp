@@ -1,20 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares runs: the levels of factors over all sequences and seeds, paired with a baseline; or
-// metrics as cells of a table with the levels of one factor as columns. Which runs may be averaged,
-// and what the reader of a table must know of them.
+// Runs as rows of a table: their factors, all numbers of metrics.json, and finish_s and exit_code
+// of run.json. Comparisons of runs: the levels of factors over all sequences and seeds, paired with
+// a baseline; or metrics as cells of a table with the levels of one factor as columns. Which runs
+// may be averaged, and what the reader of a table must know of them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "experiment/run_table.hpp"
-#include "experiment/statistics.hpp"
+#include "experiment/sweep_file.hpp"
 #include "experiment/tables.hpp"
+#include "tolman/status.hpp"
 
 namespace tolman::experiment {
+
+struct RunRow {
+  std::string name;
+  std::filesystem::path directory;  ///< of the run
+  std::vector<Factor> factors;
+  std::map<std::string, double> metrics;  ///< "map.ate.rmse_m"
+  std::string alignment;
+  std::string truth;      ///< digest of the true poses of the frames; empty without truth
+  std::string results;    ///< digest of results.sha256
+  bool is_alone = false;  ///< not a run of a sweep; its name is one of distinctNames()
+
+  /// The label of a factor; empty if the run has no such factor.
+  std::string label(const std::string& factor) const;
+  /// All labels but those of these factors, as one text: equal in runs that differ in no other
+  /// factor, whatever the order of their factors.
+  std::string labelsWithout(const std::vector<std::string>& left_out) const;
+};
+
+/// Reads runs: of a sweep all runs of the last plan that are done, without front ends; of a run
+/// directory the run; of a .csv file the runs of tableOf(). A folder that is given twice counts
+/// once. The factors of runs outside a sweep are the keys in which their configurations differ.
+Result<std::vector<RunRow>> readRunRows(const std::vector<std::filesystem::path>& folders);
+
+/// Whether a metric is a time, which differs from run to run of the same configuration.
+bool isTime(const std::string& metric);
+
+/// How many runs of a sweep failed or are not done; empty if all are done or it is not a sweep.
+std::string unfinishedText(const std::filesystem::path& sweep);
+
+/// For programs, one row per run: name, factors, alignment, digests of truth and results, and the
+/// metrics `wanted`; by default all except times.
+Table tableOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted = {});
+
+/// The factors of all rows, in the order of their first occurrence.
+std::vector<std::string> factorNames(const std::vector<RunRow>& rows);
+
+// Statistics of repeated runs.
+
+struct Summary {
+  std::size_t n = 0;
+  double mean = 0;
+  double median = 0;
+  double deviation = 0;  ///< standard deviation, n - 1; 0 for one value
+  double low = 0;        ///< smallest value
+  double high = 0;
+};
+Summary summaryOf(std::vector<double> values);
+
+struct Interval {
+  double low = 0;
+  double high = 0;
+};
+
+/// The 95 % percentile interval of the mean by the bootstrap (Efron 1979), from 10,000 resamples.
+/// With several groups (sequences) a resample draws groups with replacement, then values (seeds)
+/// within each group with replacement; its mean is the mean of the group means. Groups must not be
+/// empty.
+Interval bootstrapMean(const std::vector<std::vector<double>>& groups, std::uint64_t seed);
+
+struct SignedRank {
+  std::size_t n = 0;  ///< differences that are not zero
+  double p = 1;  ///< two-sided, exact (over all signs of the ranks); ties share their mean rank
+  double effect = 0;  ///< matched-pairs rank-biserial correlation, -1 to 1 (Kerby 2014)
+};
+/// Wilcoxon's signed rank test of differences against zero. Zeros are left out (Wilcoxon 1945).
+/// At most 1000 differences.
+SignedRank signedRank(const std::vector<double>& differences);
 
 /// Factors and labels: a run has, for each factor, one of its labels here.
 using Labels = std::vector<std::pair<std::string, std::string>>;

@@ -16,6 +16,7 @@
 namespace tolman::experiment {
 namespace {
 
+using evaluation::quantile;
 using report::Axes;
 using report::Curve;
 using report::Svg;

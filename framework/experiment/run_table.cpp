@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/run_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "config/tree.hpp"
 #include "config/values.hpp"
 #include "engine/results.hpp"
+#include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "record/digest.hpp"
 #include "record/output_places.hpp"

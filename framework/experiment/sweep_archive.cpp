@@ -5,7 +5,7 @@
 #include <iterator>
 #include <map>
 
-#include "experiment/run_table.hpp"
+#include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "record/atomic_file.hpp"
 

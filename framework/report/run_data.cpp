@@ -11,7 +11,7 @@
 #include "base/record_rows.hpp"
 #include "evaluation/association.hpp"
 #include "evaluation/metrics.hpp"
-#include "evaluation/plausibility.hpp"
+#include "evaluation/score.hpp"
 #include "record/digest.hpp"
 #include "record/export.hpp"
 

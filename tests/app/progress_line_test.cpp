@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/progress_line.hpp"
+#include "app/program.hpp"
 
 #include <catch2/catch.hpp>
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Trajectories that are read wrongly or broken, and honest ones.
-#include "evaluation/plausibility.hpp"
+#include "evaluation/score.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
-#include "evaluation/plausibility.hpp"
+#include "evaluation/score.hpp"
 #include "evaluation/trajectory.hpp"
 #include "evaluation/truth_sensor.hpp"
 #include "support/data.hpp"

@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include "experiment/comparison.hpp"
-#include "experiment/statistics.hpp"
 
 namespace tolman::experiment {
 namespace {

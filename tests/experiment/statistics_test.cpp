@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Statistics compared with closed forms and scipy 1.10.
-#include "experiment/statistics.hpp"
+#include "experiment/comparison.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -18,7 +18,7 @@ TEST_CASE("centre and spread") {
   CHECK(summary.deviation == Approx(std::sqrt(5.0 / 3)));
   CHECK(summary.low == 1);
   CHECK(summary.high == 4);
-  CHECK(quantile({1, 2, 3, 4}, 0.25) == 1.75);  // numpy.quantile([1, 2, 3, 4], 0.25)
+  CHECK(evaluation::quantile({1, 2, 3, 4}, 0.25) == 1.75);  // numpy.quantile([1, 2, 3, 4], 0.25)
   CHECK(summaryOf({7}).deviation == 0);
 }
 

@@ -2,7 +2,7 @@
 // Fuzz target: a trajectory, KITTI or TUM, as `tolman eval` reads it. Accepted ones are scored
 // against a straight drive and against themselves; every error is finite.
 #include "evaluation/metrics.hpp"
-#include "evaluation/plausibility.hpp"
+#include "evaluation/score.hpp"
 #include "evaluation/trajectory.hpp"
 #include "input.hpp"
 
