@@ -239,7 +239,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (command.write.empty()) return runJobs(command, progress, out, invocation);
   const auto words = pointCommand(thisProgram(), 0, command.retry, invocation);
   const auto written =
-      experiment::writeJobFiles(out, plan.name, progress.todo, words, command.write);
+      experiment::writeJobFiles(out, plan.name, progress.todo, words, command.write, configFile);
   printFiles(valueOf(written), invocation);
   return ExitCode::Ok;
 }
@@ -347,7 +347,7 @@ void archive(const FolderCommand& command, const Invocation& invocation) {
   warnOfUnfinished(from);
   const host::ScratchFolder files("tolman-archive");
   if (files.path().empty()) fail(ExitCode::Record, host::kNoScratchFolder);
-  failUnless(experiment::writeSweepArchive(from, files.path() / from.filename()));
+  failUnless(experiment::writeSweepArchive(from, files.path() / from.filename(), configFile));
   const fs::path partial = file.string() + ".partial";
   host::ChildProcess tar(
       {"/usr/bin/env", "tar", "--sort=name", "--owner=0", "--group=0", "--mtime=@0", "-C",

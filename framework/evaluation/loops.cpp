@@ -16,46 +16,6 @@ namespace {
 
 double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
-/// The best candidates of one frame, one for each heading.
-class Nearest {
- public:
-  Nearest(const Trajectory& truth, std::size_t frame, const RevisitRule& rule)
-      : truth_(truth),
-        pose_(truth[frame].T_world_camera),
-        frame_(truth[frame].frame),
-        rule_(rule) {}
-
-  void consider(std::size_t index) {
-    const Eigen::Isometry3d& other = truth_[index].T_world_camera;
-    if (!isSamePlace(other, pose_, rule_)) return;
-    const double distance = (other.translation() - pose_.translation()).norm();
-    const std::optional<Heading> heading = headingBetween(other, pose_, rule_);
-    if (heading == Heading::Same) take(best_[0], Heading::Same, index, distance);
-    if (heading == Heading::Opposite) take(best_[1], Heading::Opposite, index, distance);
-  }
-
-  void append(std::vector<Revisit>& revisits) const {
-    for (const auto& best : best_) {
-      if (best) revisits.push_back(*best);
-    }
-  }
-
- private:
-  void take(std::optional<Revisit>& best, Heading heading, std::size_t index,
-            double distance) const {
-    const std::int64_t earlier = truth_[index].frame;
-    const bool better = !best || distance < best->distance_m ||
-                        (distance == best->distance_m && earlier < best->earlier);
-    if (better) best = Revisit{frame_, earlier, heading, distance};
-  }
-
-  const Trajectory& truth_;
-  const Eigen::Isometry3d& pose_;
-  std::int64_t frame_;
-  const RevisitRule& rule_;
-  std::array<std::optional<Revisit>, 2> best_;
-};
-
 constexpr double kSamePlace = 10;  // m
 constexpr double kNearLoop = 5.5;  // m of driven path
 
@@ -152,9 +112,21 @@ std::vector<Revisit> findRevisits(const Trajectory& truth, const RevisitRule& ru
   std::size_t known = 0;  // number of poses that are far enough back along the path
   for (std::size_t i = 0; i < truth.size(); ++i) {
     while (known < i && driven[i] - driven[known] > rule.path_m) ++known;
-    Nearest nearest(truth, i, rule);
-    for (std::size_t earlier = 0; earlier < known; ++earlier) nearest.consider(earlier);
-    nearest.append(revisits);
+    const Eigen::Isometry3d& pose = truth[i].T_world_camera;
+    std::array<std::optional<Revisit>, 2> nearest;  // by heading
+    for (std::size_t k = 0; k < known; ++k) {
+      const Eigen::Isometry3d& other = truth[k].T_world_camera;
+      const auto heading =
+          isSamePlace(other, pose, rule) ? headingBetween(other, pose, rule) : std::nullopt;
+      if (!heading) continue;
+      const double distance = (other.translation() - pose.translation()).norm();
+      auto& best = nearest.at(static_cast<std::size_t>(*heading));
+      if (best && distance >= best->distance_m) continue;  // of equally near ones the earliest
+      best = Revisit{truth[i].frame, truth[k].frame, *heading, distance};
+    }
+    for (const auto& best : nearest) {
+      if (best) revisits.push_back(*best);
+    }
   }
   return revisits;
 }

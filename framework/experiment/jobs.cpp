@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <chrono>
 #include <memory>
 #include <set>
@@ -13,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/text_file.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "host/child_process.hpp"
 #include "record/atomic_file.hpp"
@@ -31,9 +33,9 @@ std::string shellWord(const std::string& text) {
 
 class JobFiles {
  public:
-  JobFiles(fs::path sweep, std::string name, const std::vector<PlannedRun>& runs,
-           const std::vector<std::string>& command)
-      : sweep_(std::move(sweep)), name_(shellWord(name)) {
+  JobFiles(fs::path sweep, const std::string& name, const std::vector<PlannedRun>& runs,
+           const std::vector<std::string>& command, const FindConfig& find_config)
+      : sweep_(std::move(sweep)), name_(shellWord(name)), find_config_(find_config) {
     for (const std::string& word : command) {
       command_ += (command_.empty() ? "" : " ") + shellWord(word);
     }
@@ -47,65 +49,29 @@ class JobFiles {
   }
 
   void slurm() {
-    write("array.sh",
-          fmt::format("#!/bin/sh\n# One task of a Slurm array: the run in line SLURM_ARRAY_TASK_ID "
-                      "of the list.\n"
-                      "folder=$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" \"$1\")\n"
-                      "exec {} \"$folder\"\n",
-                      command_));
-    std::string submit =
-        "#!/bin/sh\n# Submits the runs and ends; options are passed on to sbatch, such as\n"
-        "#   sh submit.sh --time=10 --cpus-per-task=2\n"
-        "# `tolman sweep status` reads what became of them.\nset -e\n"
-        "here=$(cd \"$(dirname \"$0\")\" && pwd)\nafter=\n";
-    for (const std::size_t i : {0, 1}) {
-      write(fmt::format("runs-{}.txt", i + 1), lines(i, [](const std::string& f) { return f; }));
-      if (lists_.at(i).empty()) continue;
-      submit += fmt::format(
-          "id=$(sbatch --parsable --job-name={} --array=1-{} --output=/dev/null $after \"$@\" "
-          "\"$here/array.sh\" \"$here/runs-{}.txt\")\n"
-          "echo \"$id\"\nafter=--dependency=afterany:${{id%%;*}}\n",
-          name_, lists_.at(i).size(), i + 1);
-    }
-    write("submit.sh", submit);
+    for (const std::size_t i : {0, 1}) write(fmt::format("runs-{}.txt", i + 1), lines(i, ""));
+    fill("array.sh", {{"COMMAND", command_}});
+    fill("submit.sh", {{"NAME", name_}});
   }
 
   void parallel() {
     for (const std::size_t i : {0, 1}) {
-      write(fmt::format("commands-{}.txt", i + 1), lines(i, [&](const std::string& folder) {
-              return command_ + " " + shellWord(folder);
-            }));
+      write(fmt::format("commands-{}.txt", i + 1), lines(i, command_ + " "));
     }
   }
 
   void snakemake() {
-    std::string text =
-        "# Runs of the sweep: snakemake --cores 4 --keep-going\n"
-        "import os\nHERE = workflow.basedir\nTAKES = {\n";
+    std::string takes;
     for (const std::size_t i : {0, 1}) {
       for (const PlannedRun& run : lists_.at(i)) {
         const std::string& front =
             run.front_end_folder.empty() ? run.answers_folder : run.front_end_folder;
-        text += fmt::format("    \"{}\": \"{}\",\n", run.folder, i == 0 ? "" : front);
+        takes += fmt::format("    \"{}\": \"{}\",\n", run.folder, i == 0 ? "" : front);
         std::error_code ignored;
         fs::remove(sweep_ / run.folder / "ended", ignored);  // of an earlier attempt
       }
     }
-    // A failed run counts as ended: runs that wait for its answers then run their own front end.
-    text += fmt::format(
-        "}}\n\nrule all:\n    input: [f\"{{HERE}}/{{run}}/ended\" for run in TAKES]\n"
-        "    params: here=HERE\n"
-        "    shell: r\"\"\"test -z \"$(find {{params.here:q}} -maxdepth 2 -name outcome.json "
-        "-exec grep -l '\"state\": \"failed\"' {{{{}}}} +)\" "
-        "|| {{{{ echo 'some runs have failed: tolman sweep status' >&2; exit 1; }}}}\"\"\"\n\n"
-        "rule point:\n"
-        "    input: lambda w: [f\"{{HERE}}/{{TAKES[w.run]}}/ended\"] if TAKES[w.run] else []\n"
-        "    output: touch(HERE + \"/{{run}}/ended\")\n"
-        "    params: folder=lambda w: f\"{{HERE}}/{{w.run}}\"\n"
-        "    shell: r\"\"\"{} {{params.folder:q}} || test -e "
-        "{{params.folder:q}}/outcome.json\"\"\"\n",
-        command_);
-    write("Snakefile", text);
+    fill("Snakefile", {{"TAKES", takes}, {"COMMAND", command_}});
   }
 
   Result<std::vector<fs::path>> result() const {
@@ -114,12 +80,20 @@ class JobFiles {
   }
 
  private:
-  /// One line for each run of list i.
-  template <class Line>
-  std::string lines(std::size_t i, const Line& line) const {
+  /// The folders of list i, one a line; behind a command as words of a shell.
+  std::string lines(std::size_t i, const std::string& command) const {
     std::string text;
-    for (const PlannedRun& run : lists_.at(i)) text += line((sweep_ / run.folder).string()) + "\n";
+    for (const PlannedRun& run : lists_.at(i)) {
+      const std::string folder = (sweep_ / run.folder).string();
+      text += command.empty() ? folder + "\n" : command + shellWord(folder) + "\n";
+    }
     return text;
+  }
+
+  void fill(const std::string& file, const Placeholders& values) {
+    const Result<std::string> text = filledTemplate(find_config_("configs/jobs/" + file), values);
+    if (!text.isOk()) status_ = text.status();
+    if (text.isOk()) write(file, text.value());
   }
 
   void write(const std::string& file, const std::string& text) {
@@ -130,6 +104,7 @@ class JobFiles {
 
   fs::path sweep_;
   std::string name_;
+  const FindConfig& find_config_;
   std::string command_;
   std::array<std::vector<PlannedRun>, 2> lists_;  ///< those of the second after the first
   std::vector<fs::path> written_;
@@ -247,11 +222,21 @@ class Jobs {
 
 }  // namespace
 
+Result<std::string> filledTemplate(const fs::path& file, const Placeholders& values) {
+  Result<std::string> text = text_encoding::readText(file);
+  if (!text.isOk()) return text;
+  for (const auto& [name, value] : values) {
+    boost::replace_all(text.value(), "@" + name + "@", value);
+  }
+  return text;
+}
+
 Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::string& name,
                                             const std::vector<PlannedRun>& runs,
                                             const std::vector<std::string>& command,
-                                            const std::string& kind) {
-  JobFiles files(sweep, name, runs, command);
+                                            const std::string& kind,
+                                            const FindConfig& find_config) {
+  JobFiles files(sweep, name, runs, command, find_config);
   if (kind == "slurm") files.slurm();
   if (kind == "parallel") files.parallel();
   if (kind == "snakemake") files.snakemake();

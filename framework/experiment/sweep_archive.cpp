@@ -37,7 +37,7 @@ class Archive {
     if (!sweep_.has_filename()) sweep_ = sweep_.parent_path();
   }
 
-  Status write() {
+  Status write(const FindConfig& find_config) {
     const auto rows = readRunRows({sweep_});
     if (!rows.isOk()) return rows.status();
     if (rows.value().empty()) return Status::invalidInput(sweep_.string() + ": no run is done");
@@ -49,7 +49,12 @@ class Archive {
     for (const PlannedRun& run : frozenRuns(sweep_).planned) {
       if (outcomeOf(sweep_ / run.folder).state == PointState::Done) addRun(run);
     }
-    add("rerun.sh", script());
+    std::string names;
+    for (const auto& [path, name] : variables_) names += name + " ";
+    const Result<std::string> script = filledTemplate(
+        find_config("configs/jobs/rerun.sh"), {{"VARIABLES", names}, {"RUNS", fronts_ + runs_}});
+    if (!script.isOk()) return script.status();
+    add("rerun.sh", script.value());
     add("data.txt", data_);
     return status_;
   }
@@ -91,38 +96,6 @@ class Archive {
     return found->second;
   }
 
-  /// Shell commands that make relative paths in the variables absolute.
-  std::string absolutePaths() const {
-    std::string text;
-    for (const auto& [path, name] : variables_) {
-      text += fmt::format("case ${{{0}-/}} in /*) ;; *) export {0}=\"$PWD/${0}\" ;; esac\n", name);
-    }
-    return text;
-  }
-
-  std::string script() const {
-    return "#!/bin/sh\n"
-           "# Runs all runs of the archive again and compares the results, byte for byte. data.txt "
-           "lists the variables\n"
-           "# for data that lie elsewhere now:\n"
-           "#   TOLMAN=/usr/bin/tolman DATA_1=/data/00 sh rerun.sh\n"
-           "# The new runs go to $AGAIN, what they say beside them. The exit code is 0 where all\n"
-           "# results are the same, 2 where a run could not be made, otherwise 1.\n" +
-           absolutePaths() +
-           "cd \"$(dirname \"$0\")\" || exit 2\n"
-           "TOLMAN=${TOLMAN:-tolman}\nAGAIN=${AGAIN:-$PWD/again}\nexport AGAIN\nended=0\n"
-           "mkdir -p \"$AGAIN\"\nwhile read -r run; do\n"
-           "  said=\"$AGAIN/$run.txt\"\n  rm -f \"$AGAIN/$run/results.sha256\"\n"
-           "  if \"$TOLMAN\" rerun \"runs/$run\" --force --out \"$AGAIN/$run\" --verify </dev/null "
-           ">\"$said\" 2>&1\n"
-           "  then echo \"same     $run\"\n"
-           "  elif [ -f \"$AGAIN/$run/results.sha256\" ]\n"
-           "  then [ $ended = 2 ] || ended=1; echo \"differs  $run (see $said)\"\n"
-           "  else ended=2; echo \"not run  $run (see $said)\"; tail -n 3 \"$said\" >&2\n  fi\n"
-           "done <<RUNS\n" +
-           fronts_ + runs_ + "RUNS\nexit $ended\n";
-  }
-
   fs::path sweep_;
   fs::path folder_;
   std::map<std::string, std::string> variables_;  ///< by path
@@ -134,8 +107,9 @@ class Archive {
 
 }  // namespace
 
-Status writeSweepArchive(const fs::path& sweep, const fs::path& folder) {
-  return Archive(sweep, folder).write();
+Status writeSweepArchive(const fs::path& sweep, const fs::path& folder,
+                         const FindConfig& find_config) {
+  return Archive(sweep, folder).write(find_config);
 }
 
 }  // namespace tolman::experiment

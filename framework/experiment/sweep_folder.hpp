@@ -59,12 +59,14 @@ struct FrozenRuns {
 };
 FrozenRuns frozenRuns(const std::filesystem::path& sweep);
 
+/// Finds a shipped file by its name.
+using FindConfig = std::function<std::string(const std::string&)>;
+
 struct PlanOptions {
   std::vector<std::string> plugin_paths;
   std::filesystem::path out;  ///< folder of the sweep
   FrozenRuns frozen;          ///< what it holds: data that have not changed are not read again
-  /// Finds the file of a shipped configuration by its name.
-  std::function<std::string(const std::string&)> find_config;
+  FindConfig find_config;
   config::FindShipped find_shipped;  ///< for `extends`
   config::Environment environment;
 };
@@ -113,7 +115,7 @@ struct PointRunOptions {
   bool retry = false;                     ///< run it again when it failed
   bool quiet = false;
   int threads = 0;  ///< replaces `threads: 0` of the configuration
-  std::function<std::string(const std::string&)> find_config;
+  FindConfig find_config;
   std::function<int(const engine::Outcome&)> exit_code;
   std::function<int(const engine::Failure&)> failure_code;
 };
@@ -146,7 +148,11 @@ struct LocalJobsOptions {
 JobsState runLocally(const std::filesystem::path& sweep, const std::vector<PlannedRun>& runs,
                      const LocalJobsOptions& options, const Cancellation& cancellation);
 
-/// Writes into the folder of the sweep, by `kind`:
+/// A file with each @NAME@ replaced by its value.
+using Placeholders = std::map<std::string, std::string>;
+Result<std::string> filledTemplate(const std::filesystem::path& file, const Placeholders& values);
+
+/// Writes into the folder of the sweep, from configs/jobs, by `kind`:
 ///   slurm      runs-1.txt and runs-2.txt, one folder per line; array.sh, which runs one of them;
 ///              submit.sh, which submits an array of each list, the second after the first
 ///   parallel   commands-1.txt, commands-2.txt: lists of commands, the second after the first
@@ -156,7 +162,8 @@ Result<std::vector<std::filesystem::path>> writeJobFiles(const std::filesystem::
                                                          const std::string& name,
                                                          const std::vector<PlannedRun>& runs,
                                                          const std::vector<std::string>& command,
-                                                         const std::string& kind);
+                                                         const std::string& kind,
+                                                         const FindConfig& find_config);
 
 /// Writes the files that repeat a sweep on another machine into `folder`, which must be empty or
 /// new:
@@ -166,6 +173,7 @@ Result<std::vector<std::filesystem::path>> writeJobFiles(const std::filesystem::
 ///   runs/NAME/   config.resolved.yaml, run.json, metrics.json, results.sha256, point.json
 ///
 /// In the configurations the paths of data are variables, with the present path as default.
-Status writeSweepArchive(const std::filesystem::path& sweep, const std::filesystem::path& folder);
+Status writeSweepArchive(const std::filesystem::path& sweep, const std::filesystem::path& folder,
+                         const FindConfig& find_config);
 
 }  // namespace tolman::experiment

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "evaluation/errors.hpp"
 #include "experiment/sweep_file.hpp"
 #include "tolman/context.hpp"
 
