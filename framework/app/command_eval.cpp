@@ -91,25 +91,21 @@ Json jsonOf(const Evaluated& found) {
 
 /// One line per estimate.
 std::string tableOf(const std::vector<std::string>& names, const std::vector<Evaluated>& all) {
-  std::size_t width = 8;
-  for (const std::string& name : names) width = std::max(width, name.size());
-  std::string text =
-      fmt::format("{:<{}}  {:>9} {:>9} {:>9} {:>9} {:>9}  {:>8} {:>9}  {}\n", "estimate", width,
-                  "ATE rmse", "mean", "max", "drift %", "deg/100m", "scale", "coverage", "");
+  experiment::Table table{
+      {"estimate", "ATE rmse", "mean", "max", "drift %", "deg/100m", "scale", "coverage", ""}, {}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const evaluation::Scores& s = *all[i].metrics.scores;
+    const auto text = [](double value) { return fmt::format("{:.3f}", value); };
     const bool known = s.kitti.segments > 0;
-    const auto drift = [&](double value) { return known ? fmt::format("{:.3f}", value) : "-"; };
-    text += fmt::format("{:<{}}  {:>9.3f} {:>9.3f} {:>9.3f} {:>9} {:>9}  {:>8.4f} {:>7.1f} %  {}\n",
-                        names[i], width, s.ate_m.rmse, s.ate_m.mean, s.ate_m.max,
-                        drift(s.kitti.t_rel_percent), drift(s.kitti.r_rel_deg_per_100m), s.scale,
-                        100 * s.coverage, all[i].metrics.warning.empty() ? "" : "WARNING");
+    const std::string& warning = all[i].metrics.warning;
+    table.rows.push_back({names[i], text(s.ate_m.rmse), text(s.ate_m.mean), text(s.ate_m.max),
+                          known ? text(s.kitti.t_rel_percent) : "-",
+                          known ? text(s.kitti.r_rel_deg_per_100m) : "-",
+                          fmt::format("{:.4f}", s.scale), fmt::format("{:.1f} %", 100 * s.coverage),
+                          warning.empty() ? "" : "WARNING"});
+    if (!warning.empty()) table.notes.push_back(names[i] + ": WARNING " + warning);
   }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].metrics.warning.empty()) continue;
-    text += names[i] + ": WARNING " + all[i].metrics.warning + "\n";
-  }
-  return text;
+  return experiment::textOf(table);
 }
 
 void writeFigure(const EvalFiles& files, const std::vector<Evaluated>& all) {

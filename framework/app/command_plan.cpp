@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -12,13 +13,15 @@
 #include "base/number_text.hpp"
 #include "base/shortest_path.hpp"
 #include "config/values.hpp"
+#include "experiment/tables.hpp"
 #include "record/export.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using experiment::Table;
+using Json = Table::Json;
 
 constexpr double kFarthest = 1e9;  // m; also the limit of positions in trajectory files
 
@@ -81,75 +84,50 @@ End endOf(const std::string& text, const Map& map) {
   return {text, id, (map.placeOf(id) - *place).head(std::isnan(place->z()) ? 2 : 3).norm()};
 }
 
-struct RoutePlan {
-  End from;
-  End to;
-  const char* unit = "m";  ///< "units" for the arbitrary ones of a single camera
-  planning::PlannedRoute route{};
-
-  /// Null if no link has a duration.
-  Json secondsOf(const planning::Leg& leg) const {
-    return route.times_known ? Json(leg.seconds) : nullptr;
-  }
-  std::string timeText(const planning::Leg& leg, int decimals) const {
+/// The route for readers and programs. `unit`: "m", or "units" for the arbitrary ones of a single
+/// camera.
+Table tableOf(const planning::PlannedRoute& route, const std::array<End, 2>& ends, const Map& map,
+              const std::string& unit) {
+  Table table{{"experience", "right", "forward", "up", "time s", "path"}, {}};
+  table.keys = {"experience", "right_m", "forward_m", "up_m", "seconds", "metres"};
+  const auto timeText = [&](const planning::Leg& leg, int decimals) {
     return route.times_known ? fmt::format("{:.{}f}", leg.seconds, decimals) : "-";
-  }
-};
-
-Json toJson(const End& end) {
-  Json json = {{"asked", end.given}, {"experience", end.experience}};
-  if (end.away_m) json["away_m"] = *end.away_m;
-  return json;
-}
-
-Json toJson(const RoutePlan& plan, const Map& map) {
-  Json legs = Json::array();
-  for (const planning::Leg& leg : plan.route.legs) {
-    const Eigen::Vector3d p = map.placeOf(leg.experience);
-    legs.push_back({{"experience", leg.experience},
-                    {"right_m", p.x()},
-                    {"forward_m", p.y()},
-                    {"up_m", p.z()},
-                    {"seconds", plan.secondsOf(leg)},
-                    {"metres", leg.metres}});
+  };
+  for (const planning::Leg& leg : route.legs) {
+    Eigen::Vector3d p = map.placeOf(leg.experience);
+    const Json seconds = route.times_known ? Json(leg.seconds) : Json();
+    table.values.push_back({leg.experience, p.x(), p.y(), p.z(), seconds, leg.metres});
+    for (double& metres : p) metres = std::abs(metres) < 0.005 ? 0 : metres;  // no "-0.00"
+    table.rows.push_back({std::to_string(leg.experience), fmt::format("{:.2f}", p.x()),
+                          fmt::format("{:.2f}", p.y()), fmt::format("{:.2f}", p.z()),
+                          timeText(leg, 2), fmt::format("{:.2f}", leg.metres)});
   }
   // Keys such as "metres" stay what readers know; "unit" is that of all lengths.
-  return {{"from", toJson(plan.from)},
-          {"to", toJson(plan.to)},
-          {"scale_known", plan.unit == std::string_view("m")},
-          {"unit", plan.unit},
-          {"seconds", plan.secondsOf(plan.route.legs.back())},
-          {"metres", plan.route.metres()},
-          {"legs", legs}};
-}
-
-std::string textOf(const RoutePlan& plan, const Map& map) {
-  std::string text = fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right",
-                                 "forward", "up", "time s", "path");
-  for (const planning::Leg& leg : plan.route.legs) {
-    Eigen::Vector3d p = map.placeOf(leg.experience);
-    for (double& metres : p) metres = std::abs(metres) < 0.005 ? 0 : metres;  // no "-0.00"
-    text += fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9} {:>9.2f}\n", leg.experience, p.x(),
-                        p.y(), p.z(), plan.timeText(leg, 2), leg.metres);
-  }
-  const std::size_t count = plan.route.legs.size();
-  text += fmt::format("{} experience{}, {:.1f} {}, {} s\n", count, count == 1 ? "" : "s",
-                      plan.route.metres(), plan.unit, plan.timeText(plan.route.legs.back(), 1));
-  if (!plan.route.times_known) {
-    text +=
+  table.about = {{"scale_known", unit == "m"},
+                 {"unit", unit},
+                 {"seconds", table.values.back()[4]},
+                 {"metres", route.metres()}};
+  const std::size_t count = route.legs.size();
+  table.notes = {fmt::format("{} experience{}, {:.1f} {}, {} s", count, count == 1 ? "" : "s",
+                             route.metres(), unit, timeText(route.legs.back(), 1))};
+  if (!route.times_known) {
+    table.notes.emplace_back(
         "times are not known, because no link of this map has a duration; this is the shortest "
-        "route\n";
+        "route");
   }
-  if (plan.unit != std::string_view("m")) {
-    text +=
-        "lengths and places are in arbitrary units, because one camera cannot measure the scale\n";
+  if (unit != "m") {
+    table.notes.emplace_back(
+        "lengths and places are in arbitrary units, because one camera cannot measure the scale");
   }
-  for (const End& end : {plan.from, plan.to}) {
+  for (const End& end : ends) {
+    Json& json = table.about[&end == ends.data() ? "from" : "to"];
+    json = {{"asked", end.given}, {"experience", end.experience}};
     if (!end.away_m) continue;
-    text += fmt::format("{} is {:.1f} {} from experience {}, the nearest\n", end.given, *end.away_m,
-                        plan.unit, end.experience);
+    json["away_m"] = *end.away_m;
+    table.notes.push_back(fmt::format("{} is {:.1f} {} from experience {}, the nearest", end.given,
+                                      *end.away_m, unit, end.experience));
   }
-  return text;
+  return table;
 }
 
 struct RouteOptions {
@@ -161,12 +139,14 @@ struct RouteOptions {
 void plan(const RouteOptions& options, const Invocation& invocation) {
   Map map{valueOf(record::RunReader::open(options.run), ExitCode::Dataset), {}};
   map.graph = valueOf(map.reader->graph(), ExitCode::Dataset);
-  RoutePlan plan{endOf(options.from, map), endOf(options.to, map)};
-  if (!valueOf(map.reader->scaleKnown(), ExitCode::Dataset)) plan.unit = "units";
-  const auto route = planning::fastestRoute(map.graph, plan.from.experience, plan.to.experience);
+  const std::array<End, 2> ends = {endOf(options.from, map), endOf(options.to, map)};
+  const bool in_metres = valueOf(map.reader->scaleKnown(), ExitCode::Dataset);
+  const auto route = planning::fastestRoute(map.graph, ends[0].experience, ends[1].experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
-  plan.route = valueOf(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
-  std::cout << (invocation.json ? jsonText(toJson(plan, map)) : textOf(plan, map));
+  const Table table =
+      tableOf(valueOf(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset), ends, map,
+              in_metres ? "m" : "units");
+  std::cout << (invocation.json ? experiment::jsonOf(table) : experiment::textOf(table));
 }
 
 }  // namespace

@@ -80,6 +80,8 @@ struct PlaceClaim {
   std::int64_t place = -1;
   double score = 0;  ///< a smaller score is more certain
   bool right = false;
+  Eigen::Isometry3d T_place_query = Eigen::Isometry3d::Identity();  ///< as it is claimed
+  double error_m = 0;  ///< claimed position to the true one, if that was judged
 };
 
 /// Precision and recall if only claims with at most this score are made.

@@ -27,7 +27,7 @@ namespace {
 
 /// Image `query` was recognised as the place of image `place`, from which the template was made.
 struct Answer {
-  TurnedAnswer images;
+  evaluation::PlaceClaim claim;
   bool within_pass = true;  ///< both images are of the same pass
   bool turned = false;      ///< says that the place is passed in the opposite direction
 };
@@ -52,7 +52,7 @@ class Pass {
       if (seen.recognition == Recognition::Novel) made_at[seen.template_id] = {pass, images_};
       if (seen.recognition == Recognition::Familiar) {
         const Template& place = made_at[seen.template_id];
-        answers.push_back({{images_, place.image, seen.score, claimedPose(seen)},
+        answers.push_back({{images_, place.image, seen.score, false, claimedPose(seen)},
                            place.pass == pass,
                            isTurned(seen)});
       }
@@ -136,12 +136,12 @@ class PlacesMeasurement {
     if (options_.second.empty()) {
       const PlaceTruth truth = truthOf(pass, first.system());
       if (options_.pairs.empty()) {  // with true poses
-        std::vector<TurnedAnswer> turned;
+        std::vector<evaluation::PlaceClaim> turned;
         for (const Answer& answer : pass.answers) {
-          if (answer.turned) turned.push_back(answer.images);
+          if (answer.turned) turned.push_back(answer.claim);
         }
-        bench_.opposite =
-            judgeOpposite(pass.truth, turned, first.system().config.evaluation.loop_height);
+        bench_.opposite = judgeOpposite(pass.truth, std::move(turned),
+                                        first.system().config.evaluation.loop_height);
       }
       judge(pass, truth);
       keepState(first);
@@ -243,11 +243,11 @@ class PlacesMeasurement {
 
   void judge(const Pass& pass, const PlaceTruth& truth) {
     const bool two_passes = !options_.second.empty();
-    for (const auto& [answer, within_pass, turned] : pass.answers) {
-      const bool counts = two_passes ? !within_pass : answer.query - answer.place > options_.near;
+    for (const auto& [claim, within_pass, turned] : pass.answers) {
+      const bool counts = two_passes ? !within_pass : claim.query - claim.place > options_.near;
       if (!counts || (bench_.opposite && turned)) continue;
-      bench_.claims.push_back(
-          {answer.query, answer.place, answer.score, truth.isSame(answer.query, answer.place)});
+      bench_.claims.push_back(claim);
+      bench_.claims.back().right = truth.isSame(claim.query, claim.place);
     }
     bench_.findable = countFindable(truth, pass);
     bench_.curve = evaluation::precisionRecall(bench_.claims, bench_.findable);
@@ -284,19 +284,21 @@ namespace {
 
 using Json = Table::Json;
 
-void addOpposite(const OppositePlaces& opposite, Table& table) {
-  Json claims = Json::array();
-  for (const OppositePlaces::Claim& c : opposite.claims) {
-    claims.push_back({{"query", c.query},
-                      {"place", c.place},
-                      {"score", c.score},
-                      {"error_m", c.error_m},
-                      {"right", c.right}});
+Json claimsJson(const std::vector<evaluation::PlaceClaim>& claims) {
+  Json list = Json::array();
+  for (const evaluation::PlaceClaim& c : claims) {
+    list.push_back(
+        {{"query", c.query}, {"place", c.place}, {"score", c.score}, {"right", c.right}});
+    if (c.error_m > 0) list.back()["error_m"] = c.error_m;
   }
+  return list;
+}
+
+void addOpposite(const OppositePlaces& opposite, Table& table) {
   table.about["opposite"] = {{"findable", opposite.findable},
                              {"found", opposite.found},
                              {"median_error_m", opposite.medianError()},
-                             {"claims", claims}};
+                             {"claims", claimsJson(opposite.claims)}};
   if (opposite.findable == 0 && opposite.claims.empty()) return;
   table.notes.push_back(
       fmt::format("opposite direction: {} claims, {} right, with a median error of {:.2f} m",
@@ -341,11 +343,7 @@ Table tableOf(const PlacesBench& bench) {
     table.about[fmt::format("recall_at_{}", percent)] = recall;
     table.notes.push_back(fmt::format("recall at {} % precision: {:.3f}", percent, recall));
   }
-  Json& claims = table.about["claims"] = Json::array();
-  for (const evaluation::PlaceClaim& c : bench.claims) {
-    claims.push_back(
-        {{"query", c.query}, {"place", c.place}, {"score", c.score}, {"right", c.right}});
-  }
+  table.about["claims"] = claimsJson(bench.claims);
   if (bench.opposite) addOpposite(*bench.opposite, table);
   table.notes.push_back(fmt::format("time of a call: {:.2f} ms median, {:.2f} ms at 99 %",
                                     bench.median_ms, bench.p99_ms));

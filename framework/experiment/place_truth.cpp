@@ -112,29 +112,30 @@ PlaceTruth truthOfPoses(const Trajectory& truth, double height_m, std::int64_t n
   return {isSame, isFindable};
 }
 
-std::int64_t OppositePlaces::right() const { return std::ranges::count_if(claims, &Claim::right); }
+std::int64_t OppositePlaces::right() const {
+  return std::ranges::count_if(claims, &evaluation::PlaceClaim::right);
+}
 
 double OppositePlaces::medianError() const {
   std::vector<double> errors;
-  for (const Claim& claim : claims) {
+  for (const evaluation::PlaceClaim& claim : claims) {
     if (claim.right) errors.push_back(claim.error_m);
   }
   std::ranges::sort(errors);
   return errors.empty() ? 0 : errors[errors.size() / 2];
 }
 
-OppositePlaces judgeOpposite(const Trajectory& truth, const std::vector<TurnedAnswer>& answers,
+OppositePlaces judgeOpposite(const Trajectory& truth, std::vector<evaluation::PlaceClaim> claims,
                              double height_m) {
   const evaluation::RevisitRule rule = ruleFor(height_m);
-  OppositePlaces places;
-  for (const TurnedAnswer& answer : answers) {
-    const Eigen::Isometry3d& place = poseOf(truth, answer.place);
-    const Eigen::Isometry3d& query = poseOf(truth, answer.query);
-    const Eigen::Isometry3d claimed = place * answer.T_place_query;
-    const bool is_right = evaluation::headingBetween(place, query, rule) == Heading::Opposite &&
-                          evaluation::isSamePlace(claimed, query, rule);
-    places.claims.push_back({answer.query, answer.place, answer.score,
-                             (claimed.translation() - query.translation()).norm(), is_right});
+  OppositePlaces places{0, 0, std::move(claims)};
+  for (evaluation::PlaceClaim& claim : places.claims) {
+    const Eigen::Isometry3d& place = poseOf(truth, claim.place);
+    const Eigen::Isometry3d& query = poseOf(truth, claim.query);
+    const Eigen::Isometry3d claimed = place * claim.T_place_query;
+    claim.error_m = (claimed.translation() - query.translation()).norm();
+    claim.right = evaluation::headingBetween(place, query, rule) == Heading::Opposite &&
+                  evaluation::isSamePlace(claimed, query, rule);
   }
   const std::vector<double> path = evaluation::distances(truth);
   const auto pathOf = [&](std::int64_t image) { return path[static_cast<std::size_t>(image)]; };
@@ -142,7 +143,7 @@ OppositePlaces judgeOpposite(const Trajectory& truth, const std::vector<TurnedAn
   for (const std::int64_t image : returning(truth, rule, Heading::Opposite)) {
     if (same.contains(image)) continue;
     ++places.findable;
-    places.found += std::ranges::any_of(places.claims, [&](const OppositePlaces::Claim& claim) {
+    places.found += std::ranges::any_of(places.claims, [&](const evaluation::PlaceClaim& claim) {
       const double since = pathOf(image) - pathOf(claim.query);
       return claim.right && claim.query <= image && since <= rule.distance_m;
     });

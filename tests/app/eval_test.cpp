@@ -136,7 +136,7 @@ TEST_CASE("eval of several estimates gives a table, a figure, and JSON by name")
   const Finished table = tolman::test::tolman(words);
   CHECK(table.exit_code == 0);
   CHECK(contains(table.out, "estimate"));
-  CHECK(contains(table.out, third + "      0.000"));
+  CHECK(contains(table.out, third + "     0.000"));
   CHECK(std::filesystem::file_size(figure) > 1000);
   CHECK(tolman::test::tolman(words).exit_code == 8);  // the figure exists
   const auto json = nlohmann::json::parse(

@@ -21,8 +21,8 @@ evaluation::Trajectory outAndBack() {
 }
 
 /// That `query` is 3 m beside `place`, looking back, and `wrong` m too far ahead of it.
-TurnedAnswer beside(std::int64_t query, std::int64_t place, double wrong = 0) {
-  return {query, place, 0.1, fromPlanar({wrong, 3, std::numbers::pi})};
+evaluation::PlaceClaim beside(std::int64_t query, std::int64_t place, double wrong = 0) {
+  return {query, place, 0.1, false, fromPlanar({wrong, 3, std::numbers::pi})};
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ TEST_CASE("the claimed pose is the measured one, or the template turned by the y
 TEST_CASE("a claim on another storey is wrong where a height is given") {
   evaluation::Trajectory path = outAndBack();
   for (int i = 61; i < 122; ++i) path[i].T_world_camera.translation().y() -= 2;
-  const std::vector<TurnedAnswer> claims = {beside(101, 20)};
+  const std::vector<evaluation::PlaceClaim> claims = {beside(101, 20)};
   CHECK(judgeOpposite(path, claims).claims[0].right);
   CHECK_FALSE(judgeOpposite(path, claims, 1.5).claims[0].right);
   CHECK(judgeOpposite(path, claims, 1.5).findable == 0);

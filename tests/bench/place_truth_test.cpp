@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which images show the same place: by number, by a file of pairs, by poses.
-#include "experiment/bench_places.hpp"
-
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
@@ -9,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "experiment/bench_places.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

@@ -280,13 +280,13 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
   INFO(route.err);
   REQUIRE(route.exit_code == 0);
   const auto plan = nlohmann::json::parse(route.out);
-  CHECK(plan["legs"].front()["experience"] == 0);
+  CHECK(plan["rows"].front()["experience"] == 0);
   CHECK(plan["unit"] == "m");
   // Straight ahead at 10 m/s: way and time follow from the last place.
   CHECK(plan["metres"].get<double>() ==
-        Approx(plan["legs"].back()["forward_m"].get<double>()).epsilon(1e-3));
+        Approx(plan["rows"].back()["forward_m"].get<double>()).epsilon(1e-3));
   CHECK(plan["seconds"].get<double>() == Approx(plan["metres"].get<double>() / 10).epsilon(1e-3));
-  const auto& end = plan["legs"].back();
+  const auto& end = plan["rows"].back();
   CHECK(plan["to"]["experience"] == end["experience"]);
   CHECK(plan["to"]["away_m"].get<double>() ==
         Approx(1000 - end["forward_m"].get<double>()).epsilon(1e-3));
@@ -303,7 +303,7 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
   const auto back = nlohmann::json::parse(here.out);
   CHECK(back["from"]["experience"] == end["experience"]);
   CHECK(back["to"]["experience"] == 0);
-  CHECK(back["legs"].back()["up_m"].get<double>() == Approx(0).margin(1e-9));
+  CHECK(back["rows"].back()["up_m"].get<double>() == Approx(0).margin(1e-9));
   const Finished nowhere =
       tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "somewhere"});
   CHECK(nowhere.exit_code == 2);
