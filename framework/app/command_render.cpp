@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <mutex>
 
 #include "app/kitti_folder.hpp"
 #include "app/options.hpp"
@@ -28,7 +27,6 @@ struct RenderCommand {
 
 struct RenderOutcome {
   Status source;  ///< Ok, or what ended the rendering early
-  Status folder;  ///< Ok, or the first file that could not be written
   bool interrupted = false;
   std::int64_t written = 0;
   std::int64_t left_out = 0;  ///< frames without a sound image; they get no number in the folder
@@ -36,7 +34,8 @@ struct RenderOutcome {
 };
 
 /// Writes all frames, then the text files. After an interruption or a failure of the source the
-/// text files are written, too, so that the images written so far are a valid data set.
+/// text files are written, too, so that the images written so far are a valid data set. Throws
+/// engine::Failure for a file that cannot be written.
 class Rendering {
  public:
   /// `depth`: name of the sensor array to write as depth maps; empty for none.
@@ -62,14 +61,14 @@ class Rendering {
     if (outcome_.interrupted && outcome_.source.code() == StatusCode::Cancelled) {
       outcome_.source = Status::ok();
     }
-    if (outcome_.folder.isOk() && outcome_.written > 0) writeTexts();
+    if (outcome_.written > 0) writeTexts();
     return outcome_;
   }
 
  private:
   /// The next frame that can be written; null at the end, after a failure, or when cancelled.
   std::shared_ptr<const Frame> next(const Cancellation& cancellation) {
-    while (!cancellation.requested() && canWrite() && taken_ != frames_) {
+    while (!cancellation.requested() && taken_ != frames_) {
       const auto next = std::make_shared<Frame>();
       Frame& frame = *next;
       Status status = source_.next(frame);
@@ -125,17 +124,8 @@ class Rendering {
   }
 
   void write(std::int64_t index, const Frame& frame) {
-    const Status status = folder_.writeFrame(index, frame, depth_);
-    if (!status.isOk()) {
-      const std::lock_guard lock(mutex_);
-      if (outcome_.folder.isOk()) outcome_.folder = status;
-    }
+    engine::require(folder_.writeFrame(index, frame, depth_), engine::FailureKind::Record);
     progress_.step();
-  }
-
-  bool canWrite() {
-    const std::lock_guard lock(mutex_);
-    return outcome_.folder.isOk();
   }
 
   void writeTexts() {
@@ -144,7 +134,8 @@ class Rendering {
     } else if (info_.has_truth) {
       log_.warning("some frames have no true pose: poses.txt and loops.txt are not written");
     }
-    outcome_.folder = folder_.writeTexts(info_.rig, drive_, outcome_.revisits);
+    engine::require(folder_.writeTexts(info_.rig, drive_, outcome_.revisits),
+                    engine::FailureKind::Record);
   }
 
   engine::RectifiedSource& source_;
@@ -156,7 +147,6 @@ class Rendering {
   ProgressLine& progress_;
   DriveLog drive_;
   RenderOutcome outcome_;
-  std::mutex mutex_;  // of outcome_.folder
   std::int64_t taken_ = 0;
   PixelFormat format_ = PixelFormat::Gray8;
 };
@@ -242,7 +232,6 @@ ExitCode execute(const RenderCommand& command, engine::SystemOptions system,
   progress.reset();
   const double seconds = static_cast<double>(clock.steadyNs() - begin_ns) * 1e-9;
   for (const Status& status : assembly.teardown()) logger.warning(status.message());
-  engine::require(outcome.folder, engine::FailureKind::Record);
   print(outcome, out, info.rig.calibrated, seconds, invocation);
   engine::require(outcome.source, engine::FailureKind::Dataset);
   if (outcome.interrupted) return ExitCode::Interrupted;

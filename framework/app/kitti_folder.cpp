@@ -2,7 +2,6 @@
 #include "app/kitti_folder.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_invoke.h>
 #include <png.h>
 
 #include <algorithm>
@@ -37,23 +36,6 @@ bool isOurs(const fs::path& file) {
          name.find_first_not_of("0123456789") == name.size() - 4;
 }
 
-/// Ok for an empty folder, and with `replace` for an earlier rendering.
-Status mayBeWritten(const fs::path& folder, bool replace) {
-  std::error_code failure;
-  const bool has_others = std::ranges::any_of(
-      fs::directory_iterator(folder, failure),
-      [](const fs::directory_entry& entry) { return entry.path().filename() != kMark; });
-  if (!has_others) return Status::ok();
-  if (!replace) {
-    return Status::failed(folder.string() +
-                          ": is not empty; choose another --out, or give --force to replace an "
-                          "earlier rendering");
-  }
-  if (fs::is_regular_file(folder / kMark, failure)) return Status::ok();
-  return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
-                        "), so --force does not replace it; choose another --out");
-}
-
 /// Removes the files of an earlier rendering, and links in place of its folders.
 void removeEarlier(const fs::path& folder) {
   std::error_code ignored;
@@ -76,16 +58,6 @@ std::string projectionText(const CameraRig& rig, double baseline_m) {
   std::string text;
   for (const double value : rows) text += " " + record::numberText(value);
   return text;
-}
-
-const NamedArray* sensorOf(const Frame& frame, const std::string& name) {
-  const auto found = std::ranges::find(frame.sensors, name, &NamedArray::name);
-  return found == frame.sensors.end() ? nullptr : &*found;
-}
-
-Status firstFailure(std::initializer_list<Status> all) {
-  const auto failed = std::ranges::find_if(all, [](const Status& s) { return !s.isOk(); });
-  return failed == all.end() ? Status::ok() : *failed;
 }
 
 /// `stride`: components from row to row.
@@ -164,7 +136,18 @@ Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
                           ": another rendering or run is writing here; wait for its end, or choose "
                           "another --out");
   }
-  if (Status status = mayBeWritten(folder, replace); !status.isOk()) return status;
+  const bool is_empty =
+      std::ranges::all_of(fs::directory_iterator(folder, failure),
+                          [](const auto& entry) { return entry.path().filename() == kMark; });
+  if (!is_empty && !replace) {
+    return Status::failed(folder.string() +
+                          ": is not empty; choose another --out, or give --force to replace an "
+                          "earlier rendering");
+  }
+  if (!is_empty && !fs::is_regular_file(folder / kMark, failure)) {
+    return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
+                          "), so --force does not replace it; choose another --out");
+  }
   if (replace) removeEarlier(folder);
   const Status marked = record::writeAtomically(folder / kMark, kMarkText);
   if (!marked.isOk()) return marked;
@@ -184,37 +167,30 @@ Status KittiFolder::writeImage(const char* name, std::int64_t index,
 Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
                                const std::string& depth) const {
   const bool colour = frame.left.format() == PixelFormat::Bgr8;
-  Status left;
-  Status right;
-  Status depths;
-  tbb::parallel_invoke(
-      [&] { left = writeImage(colour ? "image_2" : "image_0", index, encodePng(frame.left)); },
-      [&] {
-        if (frame.right.empty()) return;
-        right = writeImage(colour ? "image_3" : "image_1", index, encodePng(frame.right));
-      },
-      [&] {
-        const NamedArray* map = sensorOf(frame, depth);
-        if (map != nullptr) depths = writeImage("depth_0", index, encodeDepthPng(*map));
-      });
-  return firstFailure({left, right, depths});
+  Status status = writeImage(colour ? "image_2" : "image_0", index, encodePng(frame.left));
+  if (status.isOk() && !frame.right.empty()) {
+    status = writeImage(colour ? "image_3" : "image_1", index, encodePng(frame.right));
+  }
+  const auto map = std::ranges::find(frame.sensors, depth, &NamedArray::name);
+  if (!status.isOk() || map == frame.sensors.end()) return status;
+  return writeImage("depth_0", index, encodeDepthPng(*map));
 }
 
 Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
                                const std::vector<evaluation::Revisit>& revisits) const {
+  Status status;
+  const auto write = [&](const char* name, const std::string& text) {
+    if (status.isOk()) status = record::writeAtomically(folder_ / name, text);
+  };
   if (log.hasTruth()) {
-    const Result<std::string> text = record::kittiText(log.truth);
-    if (!text.isOk()) return text.status();
-    const Status status = firstFailure(
-        {record::writeAtomically(folder_ / "poses.txt", text.value()),
-         record::writeAtomically(folder_ / "loops.txt", evaluation::loopsText(revisits))});
-    if (!status.isOk()) return status;
+    const Result<std::string> poses = record::kittiText(log.truth);
+    if (!poses.isOk()) return poses.status();
+    write("poses.txt", poses.value());
+    write("loops.txt", evaluation::loopsText(revisits));
   }
-  const Status calibration =
-      rig.calibrated ? record::writeAtomically(folder_ / "calib.txt", calibrationText(rig))
-                     : Status::ok();
-  return firstFailure(
-      {calibration, record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
+  if (rig.calibrated) write("calib.txt", calibrationText(rig));
+  write("times.txt", timesText(log.stamps_ns));
+  return status;
 }
 
 }  // namespace tolman::app
