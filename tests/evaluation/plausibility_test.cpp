@@ -203,15 +203,6 @@ TEST_CASE("clocks that differ are named, by stamps and by frames") {
              Catch::Contains("the truth is given 3.0 frames early"));
 }
 
-TEST_CASE("two files in millimetres are named") {
-  const auto scaled = [](double by) {
-    return test::moved(drive(), Eigen::Isometry3d::Identity(), by);
-  };
-  CHECK_THAT(doubtsOf(scaled(1000), scaled(1000)),
-             Catch::StartsWith("by the stamps the true path is driven at 1e+04 m/s (median)"));
-  CHECK(doubtsOf(withoutStamps(scaled(1000)), withoutStamps(scaled(1000))).empty());
-}
-
 TEST_CASE("a trajectory that stands is named") {
   const Trajectory path = test::straightPath(60);
   CHECK_THAT(doubtsOf(test::straightPath(60, 0), path),

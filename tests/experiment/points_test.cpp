@@ -140,7 +140,7 @@ TEST_CASE("errors in a sweep file are reported with line and remedy") {
 
 TEST_CASE("a key that varies in two ways is refused, as one would silently override the other") {
   CHECK_THAT(read("base: motion\ngrid: {seed: [7, 8]}\nseeds: 2\n").problems,
-             Catch::Contains("study.yaml:3:1: factor seed: is set at ") &&
+             Catch::Contains("study.yaml:3:8: factor seed: is set at ") &&
                  Catch::Contains("for the same"));
   const std::string period = "base: motion\ngrid: {cells.period: [75, 150]}\n";
   CHECK_THAT(read(period + "list: {size: {small: {cells.period: 10}, large: {cells.rings: 3}}}\n")
