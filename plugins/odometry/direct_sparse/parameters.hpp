@@ -19,7 +19,6 @@ struct Parameters {
   int iterations = 2;
   double coupling = 1.5;  // 1 to 2 is best in Stereo DSO (Wang et al. 2017)
   double keyframe_weight = 1.2;
-  double nearest = 2.5;             // m; bounds the search; chosen, not tuned
   double largest_adjustment = 0.5;  // m; chosen, not tuned
   double offset_sigma = 1;          // px; as rigs are off (docs/report/odometry.md)
   double column_sigma = 0.3;        // px; chosen on the town, docs/report/odometry.md
@@ -58,10 +57,6 @@ struct Parameters {
                 .range(0, 10)
                 .doc("Weight of static stereo in the window, the paper's lambda; 0 leaves the "
                      "second camera to the first estimate of each depth."),
-            parameter<P, double>("nearest", &P::nearest)
-                .range(0.01, 1000)
-                .unit("m")
-                .doc("Nearest depth that is searched for; sets the largest disparity."),
             parameter<P, double>("offset_sigma", &P::offset_sigma)
                 .range(0, 5)
                 .unit("px")

@@ -11,7 +11,6 @@ namespace tolman::feature_stereo {
 /// The defaults were chosen on KITTI 06, raw 0001 and the town along KITTI 07; how is not recorded.
 struct Parameters {
   int corners = 500;
-  double nearest = 2.5;  // m; bounds the search
   double offset_sigma = 0.2;
   int window = 7;
   double keyframe_flow = 15;
@@ -42,10 +41,6 @@ struct Parameters {
     return std::tuple_cat(
         cornerParameters<P>(),
         tolman::parameters(
-            parameter("nearest", &P::nearest)
-                .range(0.01, 1000)
-                .unit("m")
-                .doc("Nearest depth that is searched for; sets the largest disparity."),
             parameter("offset_sigma", &P::offset_sigma)
                 .range(0, 5)
                 .unit("px")
