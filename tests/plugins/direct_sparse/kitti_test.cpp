@@ -109,3 +109,12 @@ TEST_CASE("KITTI 03 with one camera and JPEG images: never lost, its scale kept"
   CHECK(clip.run(host, indexRange(0, 300)) == 0);
   CHECK(clip.ateRmse(host.trajectory(), indexRange(0, 300), true) < 3.1);  // of 210 m
 }
+
+TEST_CASE("a camera in a hand is tracked from its first motion, with no distance given", "[data]") {
+  const auto folder = test::dataOrSkip("zed_hand");
+  if (!folder) return;
+  const KittiClip clip(*folder, ".jpg");
+  test::Host host(clip.rig());
+  CHECK(clip.run(host, indexRange(0, 40)) == 0);
+  CHECK(host.length() == Approx(0.416).epsilon(0.03));  // of the camera's own tracking
+}

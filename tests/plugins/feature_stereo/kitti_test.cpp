@@ -44,3 +44,12 @@ TEST_CASE("KITTI raw 0001 with moving traffic has the length that others agree o
   CHECK(clip.run(host, indexRange(0, 108)) == 0);
   CHECK(host.length() == Approx(108.1).epsilon(0.01));
 }
+
+TEST_CASE("a camera in a hand is tracked from its first motion, with no distance given", "[data]") {
+  const auto folder = test::dataOrSkip("zed_hand");
+  if (!folder) return;
+  const test::KittiClip clip(*folder, ".jpg");
+  Host host(clip.rig());
+  CHECK(clip.run(host, indexRange(0, 40)) == 0);
+  CHECK(host.length() == Approx(0.416).epsilon(0.03));  // of the camera's own tracking
+}
