@@ -93,6 +93,7 @@ struct SessionFigures {
   std::vector<std::int64_t> parts;  ///< parts of the map with its experiences
 };
 
+/// metrics.json. report/run_data.cpp: measure() fills it from the record.
 struct Metrics {
   Alignment alignment = Alignment::Se3;
   TrajectoryMetrics odometry;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// `euroc`: mav0/cam0 and cam1 of EuRoC and TUM-VI, each with data.csv, data and sensor.yaml.
 #include "data_error.hpp"
 #include "image_file.hpp"
 #include "layouts.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// `images`: any folder, or two (left, right), in natural order, with a calibration file.
 #include "data_error.hpp"
 #include "image_file.hpp"
 #include "layouts.hpp"

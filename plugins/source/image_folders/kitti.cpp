@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// `kitti`: image_0/NNNNNN.png and image_1, calib.txt (P0, P1), times.txt, poses.txt.
 #include "data_error.hpp"
 #include "image_file.hpp"
 #include "layouts.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// `tum`: rgb.txt, depth.txt, groundtruth.txt and the folders that they list.
 #include <algorithm>
 
 #include "data_error.hpp"
