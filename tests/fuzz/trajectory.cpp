@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: a trajectory, KITTI or TUM, as `tolman eval` reads it. Accepted ones are scored
 // against a straight drive and against themselves; every error is finite.
+#include "evaluation/trajectory.hpp"
+
 #include "evaluation/metrics.hpp"
 #include "evaluation/score.hpp"
-#include "evaluation/trajectory.hpp"
 #include "input.hpp"
 
 namespace {
