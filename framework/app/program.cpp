@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/program.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <iostream>
 #include <new>
-#include <unistd.h>
 
 #include "app/options.hpp"
 #include "config/json_text.hpp"

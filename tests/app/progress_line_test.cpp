@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/program.hpp"
-
 #include <catch2/catch.hpp>
 #include <sstream>
+
+#include "app/program.hpp"
 
 using namespace tolman;
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/association.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "evaluation/association.hpp"
 #include "evaluation/errors.hpp"
 #include "evaluation/paths.hpp"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Trajectories that are read wrongly or broken, and honest ones.
-#include "evaluation/score.hpp"
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -10,6 +8,7 @@
 #include <numbers>
 
 #include "evaluation/paths.hpp"
+#include "evaluation/score.hpp"
 #include "evaluation/truth_sensor.hpp"
 
 using namespace tolman;

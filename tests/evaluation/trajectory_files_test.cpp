@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "evaluation/trajectory.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "evaluation/trajectory.hpp"
 #include "support/data.hpp"
 #include "tolman/context.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scores of ideal units are far above chance, those of noise at chance.
-#include "evaluation/recorded_cells.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "evaluation/lattice_maps.hpp"
+#include "evaluation/recorded_cells.hpp"
 
 using namespace tolman;
 using namespace tolman::evaluation;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Statistics compared with closed forms and scipy 1.10.
-#include "experiment/comparison.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "evaluation/errors.hpp"
+#include "experiment/comparison.hpp"
 #include "experiment/sweep_file.hpp"
 #include "tolman/context.hpp"
 
