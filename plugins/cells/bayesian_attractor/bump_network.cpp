@@ -362,10 +362,11 @@ Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPos
 }
 
 /// Moves the integrator to the bump; a stretch of the path begins. What is known of the path's
-/// errors then may move all patterns.
+/// errors then may move all patterns. A bump in another part of the path says nothing of them.
 void BumpNetwork::arriveAt(const Bump& bump, LearnedPattern learned, Recalibration& calibrated) {
   Bump here = bump;
-  if (settings_.recalibrate) {
+  const bool joins = calibrated.joined_part >= 0;
+  if (settings_.recalibrate && !joins) {
     const PlanarPose offset = code_.between(learned.pattern, bump.centre);
     const double heading = bump.centre.heading;
     recalibrate(bump, learned);
@@ -379,8 +380,13 @@ void BumpNetwork::arriveAt(const Bump& bump, LearnedPattern learned, Recalibrati
       here.errors = displaced(learned.errors, away);
       here.covariance = turned(here.covariance, here.centre.heading - heading);
     }
-    state_.history.jump(learned.piece, fromPiece(learned.piece, here.centre),
-                        turned(here.covariance, -state_.history.beginOf(learned.piece).theta));
+  }
+  if (settings_.recalibrate) {
+    const PlanarPose offset = fromPiece(learned.piece, here.centre);
+    const Eigen::Matrix3d covariance =
+        turned(here.covariance, -state_.history.beginOf(learned.piece).theta);
+    if (joins) state_.history.join(learned.piece, offset, covariance);
+    state_.history.jump(learned.piece, offset, covariance);
   }
   state_.integrator = here;
   state_.stretch_start = {learned.pattern, learned.covariance, learned.height_variance};
@@ -398,14 +404,8 @@ Recalibration BumpNetwork::accept(const CalibrationBump& winner, const LearnedPa
   calibrated.views = winner.views;
   calibrated.origin = learned.covariance;
   calibrated.origin_height = learned.height_variance;
-  if (winner.part != state_.part) {
-    calibrated.joined_part = state_.part;
-    state_.history.join(learned.piece, fromPiece(learned.piece, winner.bump.centre));
-    state_.integrator = winner.bump;
-    state_.stretch_start = {learned.pattern, learned.covariance, learned.height_variance};
-  } else {
-    arriveAt(winner.bump, learned, calibrated);
-  }
+  if (winner.part != state_.part) calibrated.joined_part = state_.part;
+  arriveAt(winner.bump, learned, calibrated);
   state_.part = winner.part;
   ++state_.stretch;
   state_.right += winner.views;

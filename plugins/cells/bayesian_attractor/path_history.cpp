@@ -44,7 +44,9 @@ void append(PathPiece& piece, const PlanarPose& step, const Eigen::Matrix3d& noi
 void PathHistory::advance(const PlanarPose& reported, const PlanarPose& corrected,
                           const Eigen::Matrix3d& noise, const ErrorEffect& effect, double spacing) {
   const PathPiece& last = pieces_.back();
-  if (last.length >= spacing || last.origin >= 0) pieces_.push_back({.begin = here_});
+  if (last.length >= spacing || last.origin >= 0 || last.unknown) {
+    pieces_.push_back({.begin = here_});
+  }
   append(pieces_.back(), reported, noise, effect);
   pieces_.back().length += std::hypot(reported.x, reported.y);
   here_ = compose(here_, corrected);
@@ -59,14 +61,36 @@ void PathHistory::jump(std::int64_t origin, const PlanarPose& offset,
   here_ = compose(beginOf(origin), offset);
 }
 
-void PathHistory::join(std::int64_t origin, const PlanarPose& offset) {
-  const auto first = std::ranges::find(pieces_.rbegin(), pieces_.rend(), true, &PathPiece::unknown);
-  if (first == pieces_.rend()) return;
-  const PlanarPose from = first->begin;
-  const PlanarPose to = compose(beginOf(origin), offset);
-  for (auto piece = pieces_.rbegin(); piece <= first; ++piece) {
-    piece->begin = compose(to, between(from, piece->begin));
+std::int64_t PathHistory::rootOf(std::int64_t k) const {
+  const auto at = [&](std::int64_t i) -> const PathPiece& {
+    return pieces_[static_cast<std::size_t>(i)];
+  };
+  while (k > 0 && !at(k).unknown) k = at(k).origin >= 0 ? at(k).origin : k - 1;
+  return k;
+}
+
+/// The part is moved as it is. Traced again, it begins where the way back from here leads, which
+/// depends on the steady errors to first order.
+void PathHistory::join(std::int64_t origin, const PlanarPose& offset,
+                       const Eigen::Matrix3d& covariance) {
+  const std::int64_t root = rootOf(last());
+  PathPiece& first = pieces_[static_cast<std::size_t>(root)];
+  const PlanarPose from = first.begin;
+  const Traced reported = trace(ErrorVector::Zero(), root, false).back();
+  const PathErrors errors = turned(reported.errors, -from.theta);
+  const PlanarPose way = between(from, reported.pose);
+  const PlanarPose to = compose(compose(beginOf(origin), offset), between(here_, from));
+  for (std::int64_t k = last(); k >= root; --k) {
+    PlanarPose& begin = pieces_[static_cast<std::size_t>(k)].begin;
+    if (rootOf(k) == root) begin = compose(to, between(from, begin));
   }
+  if (origin > root) return;
+  const PathErrors back = PathErrors{} - displaced(errors, {-way.x, -way.y});
+  first.origin = origin;
+  first.unknown = false;
+  first.motion = compose(offset, between(way, {}));
+  first.effect = turned(back, offset.theta - way.theta).effect;
+  first.noise = covariance;
 }
 
 std::int64_t PathHistory::firstOfWay(std::int64_t from) const {

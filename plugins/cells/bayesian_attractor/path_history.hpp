@@ -22,11 +22,12 @@ struct Traced {
   void move(const PlanarPose& step, const Eigen::Matrix3d& noise, const PathErrors& step_errors);
 };
 
-/// A piece of the path, or a jump from where an earlier piece begins to a bump that was accepted.
+/// A piece of the path, or a jump from where an earlier piece begins: to a bump that was accepted,
+/// or to the beginning of a part of the path.
 struct PathPiece {
   std::int64_t origin =
       -1;                  ///< the piece at whose beginning it begins; -1: the end of the last one
-  bool unknown = false;    ///< begins a part of the path
+  bool unknown = false;    ///< a jump to the beginning of a part whose origin is not known yet
   PlanarPose motion = {};  ///< as reported
   Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
   ErrorEffect effect = ErrorEffect::Zero();
@@ -44,8 +45,8 @@ class PathHistory {
   void startPart();
   /// The robot is at `offset` from where piece `origin` begins, with this covariance in its axes.
   void jump(std::int64_t origin, const PlanarPose& offset, const Eigen::Matrix3d& covariance);
-  /// The present part begins at `offset` from where piece `origin` begins.
-  void join(std::int64_t origin, const PlanarPose& offset);
+  /// The robot is likewise at `offset` from a piece of another part: the present part joins it.
+  void join(std::int64_t origin, const PlanarPose& offset, const Eigen::Matrix3d& covariance);
 
   /// Where each piece from `first` on begins, and last where the robot is, with these steady
   /// errors.
@@ -65,6 +66,9 @@ class PathHistory {
   const PlanarPose& here() const { return here_; }
 
  private:
+  /// The piece with which the part of piece `k` begins.
+  std::int64_t rootOf(std::int64_t k) const;
+
   std::vector<PathPiece> pieces_ = {{}};
   PlanarPose here_ = {};
 };

@@ -9,7 +9,7 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 constexpr std::string_view kMagic = "TLMBAYES";
-constexpr std::uint64_t kStateVersion = 9;
+constexpr std::uint64_t kStateVersion = 10;
 
 /// Writes each number that it is called with.
 class Saver {
