@@ -2,12 +2,12 @@
 // Everything in the plugin that changes from frame to frame.
 #pragma once
 
+#include <experience_log.hpp>
 #include <iosfwd>
 #include <map>
 #include <vector>
 
 #include "bump_network.hpp"
-#include "experience_log.hpp"
 #include "level_step.hpp"
 #include "tolman/status.hpp"
 #include "waiting_loops.hpp"

@@ -19,6 +19,14 @@ void scaleToPeak(std::vector<float>& rates) {
 
 }  // namespace
 
+double distance(const ConjunctivePlace& a, const ConjunctivePlace& b, double side,
+                double headings) {
+  const double x = std::remainder(b.x - a.x, side);
+  const double y = std::remainder(b.y - a.y, side);
+  const double height = std::remainder(b.height - a.height, side);
+  return std::hypot(std::hypot(x, y, height), std::remainder(b.heading - a.heading, headings));
+}
+
 Status NeuroslamCells::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
@@ -32,11 +40,13 @@ Status NeuroslamCells::configure(const Context& context) {
 
 Status NeuroslamCells::reset() {
   const Parameters& p = parameters_;
-  const Periods periods = {static_cast<double>(p.side), static_cast<double>(p.headings)};
+  const auto between = [&p](const ConjunctivePlace& a, const ConjunctivePlace& b) {
+    return distance(a, b, p.side, p.headings);
+  };
   state_.emplace(State{ActivityTorus({p.headings, p.side, 1}),
                        ActivityTorus({p.side, p.side, p.side}),
                        HabituatingViews<ConjunctivePlace>({1, kActiveDecay, p.restore}),
-                       ExperienceMemory(p.experience_threshold, periods)});
+                       ExperienceMemory<ConjunctivePlace>(p.experience_threshold, between)});
   const int middle_cell = p.side / 2;
   const auto middle = static_cast<double>(middle_cell);
   state_->grid.add({middle, middle, middle}, 1);

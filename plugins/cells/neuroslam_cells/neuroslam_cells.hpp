@@ -2,16 +2,28 @@
 // Cells `neuroslam_cells`: the two attractors of NeuroSLAM (Yu et al. 2019) and its decision.
 #pragma once
 
+#include <experience_memory.hpp>
 #include <optional>
 #include <vector>
 
 #include "activity_torus.hpp"
-#include "experience_memory.hpp"
 #include "habituating_views.hpp"
 #include "parameters.hpp"
 #include "tolman/plugin.hpp"
 
 namespace tolman::neuroslam_cells {
+
+/// Place of both networks, in cells; each axis is periodic.
+struct ConjunctivePlace {
+  double x = 0;
+  double y = 0;
+  double height = 0;
+  double heading = 0;
+};
+
+/// Shortest distance over all axes, in cells, of networks with so many cells along each side and
+/// with so many headings.
+double distance(const ConjunctivePlace& a, const ConjunctivePlace& b, double side, double headings);
 
 class NeuroslamCells final : public Cells, public ArraySource, public ArrayDescriptions {
  public:
@@ -31,7 +43,7 @@ class NeuroslamCells final : public Cells, public ArraySource, public ArrayDescr
     ActivityTorus head;  ///< heading, height
     ActivityTorus grid;  ///< x, y, height
     HabituatingViews<ConjunctivePlace> views;
-    ExperienceMemory experiences;
+    ExperienceMemory<ConjunctivePlace> experiences;
     /// By dead reckoning. Up is the -y axis of the first camera.
     Eigen::Isometry3d T_start_camera = Eigen::Isometry3d::Identity();
     ConjunctivePlace estimate = {};

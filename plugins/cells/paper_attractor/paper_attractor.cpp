@@ -36,8 +36,8 @@ PaperAttractor::State PaperAttractor::freshState() const {
   const Parameters& p = parameters_;
   const HabituationSettings habituation = {kHabituationIncrement, kHabituationRecovery,
                                            p.newest_ignored, p.first_views_ignored};
-  const ExperienceSettings experience = {p.experience_spacing, p.experience_turn, kNovelSpacing,
-                                         p.loop_minimum_travel, p.loop_spacing};
+  const ExperienceSettings experience = {p.experience_spacing,  p.experience_turn, kNovelSpacing,
+                                         p.loop_minimum_travel, p.loop_spacing,    false};
   return {SpatialCells(HeadDirectionRing(networkSettings(p, kEnergyHeading)),
                        GridTorus(networkSettings(p, kEnergyPosition), p.metres_per_cell),
                        {p.decision_heading, p.decision_position}),

@@ -2,10 +2,10 @@
 // Cells `paper_attractor`: the network of arXiv:2003.03091 by its printed equations.
 #pragma once
 
+#include <experience_log.hpp>
 #include <optional>
 #include <vector>
 
-#include "experience_log.hpp"
 #include "parameters.hpp"
 #include "spatial_cells.hpp"
 #include "tolman/plugin.hpp"

@@ -35,7 +35,9 @@ Status PoseCells::reset() {
   state_.emplace(State{
       ActivityVolume(p.side, p.headings),
       HabituatingViews<CellPose>({p.injected_energy, kActiveDecay, p.restore, p.newest_ignored}),
-      ExperienceMemory(p.experience_threshold),
+      ExperienceMemory<CellPose>(
+          p.experience_threshold,
+          [this](const CellPose& a, const CellPose& b) { return state_->volume.distance(a, b); }),
       {},
       {}});
   // In the middle, heading along x, as RatSLAM starts.
@@ -122,12 +124,13 @@ Status PoseCells::step(const Motion& motion, const PlaceObservation& observation
 
   if (seen) {
     decision.template_id = observation.template_id;
-    decision.action =
-        state.experiences.decide(state.volume, state.estimate, turned, observation.template_id);
+    // The pose at which the robot looks as in the template: without the view's turn against it.
+    CellPose straight = state.estimate;
+    straight.theta = wrapPeriod(straight.theta - turned, parameters_.headings);
+    decision.action = state.experiences.decide(straight, observation.template_id);
     decision.relative_yaw = observation.relative_yaw;
   } else if (state.experiences.current() < 0) {
-    state.experiences.createFirst(state.estimate);
-    decision.action = Action::CreateExperience;
+    decision.action = state.experiences.createFirst(state.estimate);
   }
   decision.experience = state.experiences.current();
   decision.heading = wrapPeriod(state.estimate.theta / parameters_.headings * 2 * std::numbers::pi,

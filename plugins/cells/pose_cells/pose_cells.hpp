@@ -2,11 +2,11 @@
 // Cells `pose_cells`: RatSLAM's network of pose cells and its experience decision.
 #pragma once
 
+#include <experience_memory.hpp>
 #include <optional>
 #include <vector>
 
 #include "activity_volume.hpp"
-#include "experience_memory.hpp"
 #include "habituating_views.hpp"
 #include "parameters.hpp"
 #include "tolman/plugin.hpp"
@@ -30,7 +30,7 @@ class PoseCells final : public Cells, public ArraySource, public ArrayDescriptio
   struct State {
     ActivityVolume volume;
     HabituatingViews<CellPose> views;
-    ExperienceMemory experiences;
+    ExperienceMemory<CellPose> experiences;
     PlanarPose pending;  ///< m, rad: motion not yet applied to the packet, in its axes
     CellPose estimate;
   };

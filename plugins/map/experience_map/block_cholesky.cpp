@@ -7,8 +7,6 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 
-#include "block_inverse.hpp"
-
 namespace tolman::experience_map {
 
 template <int kSize>

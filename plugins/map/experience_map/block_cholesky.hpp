@@ -6,13 +6,33 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-#include "page_vector.hpp"
-
 namespace tolman::experience_map {
+
+/// Inverts a small positive definite matrix in place, by Gauss-Jordan elimination without pivoting,
+/// which it does not need. Adds the logarithm of the determinant to `log_determinant`. False when
+/// it is not positive definite; it is then left in an unspecified state.
+template <int kSize>
+bool invertPositive(Eigen::Matrix<double, kSize, kSize>& matrix, double& log_determinant) {
+  double determinant = 1;
+  for (int k = 0; k < kSize; ++k) {
+    const double pivot = matrix(k, k);
+    if (!(pivot > 0)) return false;
+    determinant *= pivot;
+    const Eigen::Matrix<double, kSize, 1> column = matrix.col(k) / pivot;
+    const Eigen::Matrix<double, 1, kSize> row = matrix.row(k);
+    matrix.noalias() -= column * row;
+    matrix.row(k) = row / pivot;
+    matrix.col(k) = -column;
+    matrix(k, k) = 1 / pivot;
+  }
+  log_determinant += std::log(determinant);
+  return std::isfinite(determinant) && determinant > 0;
+}
 
 template <int kSize>
 class BlockCholesky {
@@ -51,11 +71,11 @@ class BlockCholesky {
   std::vector<std::size_t> step_of_;  ///< position of each row in the order of elimination
   // Below, rows and columns are positions in that order.
   std::vector<std::size_t> begin_;  ///< first index of each column in rows_ and blocks_
-  PageVector<std::size_t> rows_;    ///< rows below the diagonal, ascending in each column
-  PageVector<Place> places_;        ///< where each entry of the constructor is stored
-  PageVector<Block> diagonal_;      ///< after factorise(): the inverse of D
-  PageVector<Block> blocks_;        ///< after factorise(): L
-  PageVector<Block> column_;        ///< the column that is eliminated, before its division by D
+  std::vector<std::size_t> rows_;   ///< rows below the diagonal, ascending in each column
+  std::vector<Place> places_;       ///< where each entry of the constructor is stored
+  std::vector<Block> diagonal_;     ///< after factorise(): the inverse of D
+  std::vector<Block> blocks_;       ///< after factorise(): L
+  std::vector<Block> column_;       ///< the column that is eliminated, before its division by D
   double log_determinant_ = 0;
 };
 

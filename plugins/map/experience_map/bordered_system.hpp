@@ -1,19 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The steady errors of odometry as unknowns b of the map, next to the poses (path_calibration).
+// They correct every odometry link alike.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <optional>
+#include <path_calibration.hpp>
+#include <vector>
+
+#include "chain_system.hpp"
+#include "pose_link.hpp"
+
+namespace tolman::experience_map {
+
+template <class G>
+inline constexpr int kErrors = G::kSize == 3 ? kPlanarErrors : kSpatialErrors;
+template <class G>
+using ErrorsOf = Eigen::Matrix<double, kErrors<G>, 1>;
+template <class G>
+using EffectOf = Eigen::Matrix<double, G::kSize, kErrors<G>>;
+
+inline PlanarPose corrected(const PlanarPose& reported, const Eigen::Vector3d& by) {
+  return {reported.x + by.x(), reported.y + by.y(), wrapAngle(reported.theta + by.z())};
+}
+inline Eigen::Isometry3d corrected(const Eigen::Isometry3d& reported, const Vector6d& by) {
+  return reported * expSe3(by);
+}
+
+/// Derivative of a corrected link's residual with respect to b. In space a motion of the link's end
+/// equals the opposite one of its beginning, seen through the link.
+inline EffectOf<Plane> byErrors(const EffectOf<Plane>& effect, const PlanarLink&,
+                                const LinkDerivatives<Plane>&) {
+  return -effect;
+}
+inline EffectOf<Space> byErrors(const EffectOf<Space>& effect, const SpatialLink& link,
+                                const LinkDerivatives<Space>& derivatives) {
+  return derivatives.by_from * (adjointSe3(link.pose) * effect);
+}
+
+template <class G>
+struct SteadyErrors {
+  std::vector<typename G::Pose> reported = {};  ///< of each odometry link, uncorrected
+  std::vector<EffectOf<G>> effects = {};        ///< of each odometry link, along its covariance
+  ErrorsOf<G> b = ErrorsOf<G>::Zero();
+  ErrorsOf<G> precision = ErrorsOf<G>::Ones();  ///< of the prior of each error, whose mean is 0
+
+  /// Energy of the prior.
+  double energy() const { return effects.empty() ? 0 : b.dot(precision.cwiseProduct(b)); }
+  /// Sets the poses of the odometry links, which are the first of `links`.
+  void correct(std::vector<PoseLink<G>>& links) const {
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+      links[k].pose = corrected(reported[k], effects[k] * b);
+    }
+  }
+};
+
 // The normal equations of the poses x and of the steady errors b of odometry,
 //
 //   [H  C] [x]     [g]
 //   [C' D] [b] = - [h],
 //
 // where H is the chain's (chain_system). x is eliminated first; b has a few unknowns only.
-#pragma once
-
-#include <Eigen/Cholesky>
-#include <optional>
-
-#include "chain_system.hpp"
-#include "steady_errors.hpp"
-
-namespace tolman::experience_map {
 
 /// A map: its nodes, links between them (those of odometry first), and the steady errors of
 /// odometry. Without effects of errors there are none.
@@ -59,7 +106,7 @@ class BorderedSystem {
     return factors_.solve(Square::Identity()).eval();
   }
   /// Inverse covariance of each link.
-  const PageVector<MatrixOf<G>>& information() const { return chain_.information(); }
+  const std::vector<MatrixOf<G>>& information() const { return chain_.information(); }
 
  private:
   using Right = Eigen::Matrix<double, G::kSize, 1 + kCount>;

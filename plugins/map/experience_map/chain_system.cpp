@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "block_inverse.hpp"
+#include "block_cholesky.hpp"
 #include "pose_link.hpp"
 
 namespace tolman::experience_map {

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "block_cholesky.hpp"
-#include "page_vector.hpp"
 #include "pose_link.hpp"
 
 namespace tolman::experience_map {
@@ -56,7 +55,7 @@ class ChainSystem {
   double logDeterminant() const;
   const std::vector<Step>& gradient() const { return gradient_; }
   /// Inverse covariance of each link.
-  const PageVector<MatrixOf<G>>& information() const { return information_; }
+  const std::vector<MatrixOf<G>>& information() const { return information_; }
   /// Logarithm of the determinant of each link's information.
   const std::vector<double>& logInformation() const { return log_information_; }
 
@@ -83,20 +82,20 @@ class ChainSystem {
   template <int kColumns>
   void substitute(Columns<kColumns>& x) const;
 
-  PageVector<Block> information_;  ///< of each link
+  std::vector<Block> information_;  ///< of each link
   std::vector<double> log_information_;
   std::vector<std::size_t> knots_;     ///< nodes with loop links, and node 0; ascending
   std::vector<std::size_t> joint_of_;  ///< joint of each link that is not of the chain
-  PageVector<Joint> joints_;
+  std::vector<Joint> joints_;
 
   // Normal equations; chain block k joins node k - 1 (rows) and node k (columns).
-  PageVector<Block> diagonal_;
-  PageVector<Block> chain_;
+  std::vector<Block> diagonal_;
+  std::vector<Block> chain_;
   std::vector<Step> gradient_;
 
   // The same after the elimination.
-  PageVector<Block> pivot_;     ///< inverse for eliminated nodes
-  PageVector<Block> left_;      ///< joins a node to the knot before it
+  std::vector<Block> pivot_;    ///< inverse for eliminated nodes
+  std::vector<Block> left_;     ///< joins a node to the knot before it
   double log_determinant_ = 0;  ///< of the eliminated nodes
   /// Factorisation of the system of the knots. Knot 0 is node 0, which is fixed, so row k belongs
   /// to knot k + 1. The entries are those of neighbouring knots, then those of the joints.

@@ -42,7 +42,7 @@ void DeadReckoning::append(const Motion& motion, std::int64_t anchor) {
     reckoned.T_start_camera = normalised(frames_.back().T_start_camera * moved.T);
   }
   frames_.push_back(reckoned);
-  motions_.append(moved);
+  motions_.push_back(moved);
 }
 
 std::size_t DeadReckoning::revise(std::span<const MotionRevision> revisions, std::size_t& unknown) {
@@ -54,7 +54,7 @@ std::size_t DeadReckoning::revise(std::span<const MotionRevision> revisions, std
     // The first frame and the frame after a gap have no motion.
     if (!slot || *slot == 0 || frames_[*slot].gap) continue;
     planar_ = planar_ && isInPlane(revision.T_previous_current);
-    motions_.replace(*slot, {revision.T_previous_current, revision.covariance});
+    motions_[*slot] = {revision.T_previous_current, revision.covariance};
     first = std::min(first, *slot);
   }
   reckon(first);
@@ -72,7 +72,7 @@ void DeadReckoning::restore(ReckonedFrame frame, const UncertainPose& motion) {
                                          : normalised(frames_.back().T_start_camera * motion.T);
   planar_ = planar_ && isInPlane(motion.T);
   frames_.push_back(frame);
-  motions_.append(motion);
+  motions_.push_back(motion);
 }
 
 std::optional<std::size_t> DeadReckoning::slotOf(std::int64_t frame) const {
@@ -84,7 +84,7 @@ std::optional<std::size_t> DeadReckoning::slotOf(std::int64_t frame) const {
 PathMotion DeadReckoning::between(std::size_t from, std::size_t to) const {
   PathMotion sum;
   for (std::size_t slot = from + 1; slot <= to; ++slot) {
-    const UncertainPose motion = motions_[slot];
+    const UncertainPose& motion = motions_[slot];
     sum.effect = adjointSe3(motion.T.inverse()) * sum.effect +
                  steadyEffect(motion.T, frames_[slot].gap ? 0 : seconds(slot - 1, slot));
     static_cast<UncertainPose&>(sum) = compose(sum, motion);

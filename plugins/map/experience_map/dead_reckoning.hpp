@@ -14,7 +14,6 @@
 #include <tolman/records.hpp>
 
 #include "growing_list.hpp"
-#include "motion_store.hpp"
 #include "parameters.hpp"
 #include "uncertain_pose.hpp"
 
@@ -49,8 +48,8 @@ class DeadReckoning {
   double seconds(std::size_t from, std::size_t to) const;
 
   const ReckonedFrame& operator[](std::size_t slot) const { return frames_[slot]; }
-  /// Motion from the previous slot; the identity at slot 0. For an old slot it is read from a file.
-  UncertainPose motionTo(std::size_t slot) const { return motions_[slot]; }
+  /// Motion from the previous slot; the identity at slot 0.
+  const UncertainPose& motionTo(std::size_t slot) const { return motions_[slot]; }
   void moveTo(std::size_t slot, std::int64_t anchor) { frames_[slot].anchor = anchor; }
   std::size_t size() const { return frames_.size(); }
   std::size_t last() const { return frames_.size() - 1; }
@@ -68,7 +67,7 @@ class DeadReckoning {
 
   Parameters parameters_;
   GrowingList<ReckonedFrame> frames_;
-  MotionStore motions_;
+  GrowingList<UncertainPose> motions_;  ///< from the previous frame
   bool planar_ = true;
   bool metric_ = true;
 };

@@ -18,12 +18,12 @@
 #include <tolman/records.hpp>
 #include <vector>
 
+#include "chain_arrangement.hpp"
 #include "chain_problem.hpp"
 #include "dead_reckoning.hpp"
 #include "graph_optimiser.hpp"
 #include "growing_list.hpp"
 #include "parameters.hpp"
-#include "path_parts.hpp"
 #include "uncertain_pose.hpp"
 
 namespace tolman::experience_map {

@@ -8,7 +8,7 @@
 #include <tolman/geometry.hpp>
 #include <vector>
 
-#include "block_inverse.hpp"
+#include "block_cholesky.hpp"
 
 namespace tolman::experience_map {
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When a new experience or a loop is due: by distance, turn or novelty, compared with a plain sum
 // of the driven distance.
-#include "experience_log.hpp"
-
 #include <catch2/catch.hpp>
+#include <experience_log.hpp>
 
 #include "tolman/context.hpp"
 
 using namespace tolman;
-using namespace tolman::bayesian_attractor;
 
 namespace {
 
@@ -78,8 +76,15 @@ TEST_CASE("a loop is no new experience: the distance to the next one counts on")
   log.create();
   drive(log, 35);
   REQUIRE(log.allowsLoopTo(0));
-  log.closeLoopTo(0, {});
+  log.closeLoopTo(0, Eigen::Isometry3d::Identity());
   CHECK(log.wantsNew(false));
+  ExperienceLog papers{{.from_newest = false}};  // counts from the experience it is at
+  papers.create();
+  drive(papers, 40);
+  papers.create();
+  drive(papers, 35);
+  papers.closeLoopTo(0, Eigen::Isometry3d::Identity());
+  CHECK_FALSE(papers.wantsNew(false));
 }
 
 TEST_CASE("carried away: a new experience is due, and loops to all are allowed at once") {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <tolman/context.hpp>
 
-#include "block_inverse.hpp"
 #include "pose_link.hpp"
 
 namespace tolman::experience_map {

@@ -2,8 +2,8 @@
 // Gaps: tracking restarts at an unknown pose. Also saved maps with arbitrary bytes.
 #include <sstream>
 
+#include "chain_arrangement.hpp"
 #include "map_fixture.hpp"
-#include "path_parts.hpp"
 #include "tolman/state_stream.hpp"
 
 using namespace tolman;

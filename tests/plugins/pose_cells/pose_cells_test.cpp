@@ -89,6 +89,16 @@ TEST_CASE("the second lap finds the experiences of the first") {
   CHECK(loopsOf(fixture, 3, 0) > 60);
 }
 
+TEST_CASE("the turn of one view does not leak into the next (defect 6)") {
+  Fixture fixture;
+  fixture.drive({}, view(0, false));
+  CHECK(fixture.drive({10, 0, 0}, view(1, false)).action == Action::CreateExperience);
+  PlaceObservation turned = view(1, true);
+  turned.relative_yaw = 3 * 2 * std::numbers::pi / 36;
+  CHECK(fixture.drive({0, 0, turned.relative_yaw}, turned).action == Action::Stay);
+  CHECK(fixture.drive({}, view(1, true)).action == Action::CreateExperience);
+}
+
 TEST_CASE("stamps are the data's (defect 9), and a reset gives the same answers bit by bit") {
   Fixture fixture;
   const Decision decision = fixture.drive({0, 0, 0}, view(0, false));

@@ -8,7 +8,7 @@
 
 #include "tolman/geometry.hpp"
 
-namespace tolman::bayesian_attractor {
+namespace tolman {
 
 /// Chosen, not tuned (docs/method.md, Parameters).
 struct ExperienceSettings {
@@ -17,6 +17,9 @@ struct ExperienceSettings {
   double novel_spacing = 1;         ///< m, distance from which a novel view makes a new one
   double loop_minimum_travel = 30;  ///< m, smallest travel since the experience was left
   double loop_spacing = 5;          ///< m, smallest travel between loop links
+  /// Distances count from where the newest experience was made; otherwise from the current one, as
+  /// the paper has it. A false loop then leaves a gap between experiences.
+  bool from_newest = true;
 };
 
 class ExperienceLog {
@@ -25,9 +28,8 @@ class ExperienceLog {
 
   void advance(const Eigen::Isometry3d& T_previous_current);
 
-  /// True for the first one (also of a new part), at `spacing` or `turn` from where the newest one
-  /// was made, or for a novel view at `novel_spacing` from there. Loops do not reset this distance:
-  /// a false loop would otherwise leave a gap between experiences.
+  /// True for the first one (also of a new part), at `spacing` or `turn` from the last one, or for
+  /// a novel view at `novel_spacing` from there.
   bool wantsNew(bool view_is_novel) const;
   /// False for the current experience and within loop_minimum_travel and loop_spacing.
   bool allowsLoopTo(std::int64_t experience) const;
@@ -69,4 +71,4 @@ class ExperienceLog {
   bool new_part_ = false;                 ///< a part began, and no experience was reached since
 };
 
-}  // namespace tolman::bayesian_attractor
+}  // namespace tolman

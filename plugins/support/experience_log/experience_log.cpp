@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tolman::paper_attractor {
+namespace tolman {
 
 void ExperienceLog::advance(const Eigen::Isometry3d& T_previous_current) {
   T_experience_current_ = normalised(T_experience_current_ * T_previous_current);
+  T_made_current_ = normalised(T_made_current_ * T_previous_current);
   travel_ += T_previous_current.translation().norm();
 }
 
 bool ExperienceLog::wantsNew(bool view_is_novel) const {
   if (current_ < 0 || new_part_) return true;
-  const PlanarPose since = toPlanar(T_experience_current_);
+  const PlanarPose since =
+      toPlanar(settings_.from_newest ? T_made_current_ : T_experience_current_);
   const double moved = std::hypot(since.x, since.y);
   if (view_is_novel && moved >= settings_.novel_spacing) return true;
   return moved >= settings_.spacing || std::abs(since.theta) >= settings_.turn;
@@ -45,6 +47,7 @@ std::int64_t ExperienceLog::create() {
   const auto id = static_cast<std::int64_t>(travel_when_left_.size());
   travel_when_left_.push_back(travel_);
   arriveAt(id, Eigen::Isometry3d::Identity());
+  T_made_current_.setIdentity();
   return id;
 }
 
@@ -54,4 +57,19 @@ void ExperienceLog::closeLoopTo(std::int64_t experience,
   travel_at_loop_ = travel_;
 }
 
-}  // namespace tolman::paper_attractor
+ExperienceLog::State ExperienceLog::state() const {
+  return {current_,        T_experience_current_, T_made_current_, travel_,
+          travel_at_loop_, travel_when_left_,     new_part_};
+}
+
+void ExperienceLog::restore(const State& state) {
+  current_ = state.current;
+  T_experience_current_ = state.T_experience_current;
+  T_made_current_ = state.T_made_current;
+  travel_ = state.travel;
+  travel_at_loop_ = state.travel_at_loop;
+  travel_when_left_ = state.travel_when_left;
+  new_part_ = state.new_part;
+}
+
+}  // namespace tolman
