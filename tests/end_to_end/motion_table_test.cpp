@@ -107,6 +107,32 @@ TEST_CASE("KITTI motion: the map reaches its bar and closes no loop between dist
                 << " m, map " << map << " m, " << loopsOf(run).size() << " loops");
 }
 
+TEST_CASE("a lecture hall: wheels that turn too far are found out, and so are views out of place",
+          "[data]") {
+  const auto folder = dataOrSkip("motion_other/lecture_hall");
+  if (!folder) return;
+  const TemporaryFolder out;
+  const fs::path run = out.path() / "run";
+  const Settings unmeasured = {"place.relative_pose=false", "place.view_step=1"};
+  REQUIRE(runMotion("motion.yaml", *folder, run, unmeasured).exit_code == 0);
+  const auto metrics = readJson(run / "metrics.json");
+  CHECK(metrics["map"]["ate"]["rmse_m"].get<double>() <= 0.6);
+  CHECK(metrics["loops"]["false_links"] == 0);
+  const std::string log = readText(run / "log.txt");
+  constexpr std::string_view kTurns = "the robot turns ";
+  const std::size_t turns = log.find(kTurns);
+  REQUIRE(turns != std::string::npos);
+  CHECK(std::stod(log.substr(turns + kTurns.size())) == Approx(0.106).epsilon(0.1));  // the truth's
+  CHECK_FALSE(contains(log, "three standard deviations from the map"));
+
+  Settings sure = unmeasured;
+  sure.push_back("map.assumed_sigma_translation=0.1");
+  const fs::path doubtful = out.path() / "doubtful";
+  REQUIRE(runMotion("motion.yaml", *folder, doubtful, sure).exit_code == 0);
+  CHECK(contains(readText(doubtful / "log.txt"),
+                 "loop links are more than three standard deviations from the map"));
+}
+
 TEST_CASE("KITTI motion: among 95 % look-alikes, single or in runs, no false loop is closed",
           "[data]") {
   const char* sequence = GENERATE("00", "05", "06");

@@ -31,10 +31,10 @@ Status NeuroslamCells::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
-  grid_excitation_ = gaussianKernel(kGridExcitationWidth, kGridExcitationSigma);
-  grid_inhibition_ = gaussianKernel(kGridInhibitionWidth, kGridInhibitionSigma);
-  head_excitation_ = gaussianKernel(kHeadExcitationWidth, kHeadExcitationSigma);
-  head_inhibition_ = gaussianKernel(kHeadInhibitionWidth, kHeadInhibitionSigma);
+  grid_excitation_ = gaussianKernel(kGridExcitationWidth, kGridExcitationVariance);
+  grid_inhibition_ = gaussianKernel(kGridInhibitionWidth, kGridInhibitionVariance);
+  head_excitation_ = gaussianKernel(kHeadExcitationWidth, kHeadExcitationVariance);
+  head_inhibition_ = gaussianKernel(kHeadInhibitionWidth, kHeadInhibitionVariance);
   return reset();
 }
 
@@ -43,14 +43,14 @@ Status NeuroslamCells::reset() {
   const auto between = [&p](const ConjunctivePlace& a, const ConjunctivePlace& b) {
     return distance(a, b, p.side, p.headings);
   };
-  state_.emplace(State{ActivityTorus({p.headings, p.side, 1}),
-                       ActivityTorus({p.side, p.side, p.side}),
+  state_.emplace(State{ActivityVolume(p.headings, p.side, 1),
+                       ActivityVolume(p.side, p.side, p.side),
                        HabituatingViews<ConjunctivePlace>({1, kActiveDecay, p.restore}),
                        ExperienceMemory<ConjunctivePlace>(p.experience_threshold, between)});
   const int middle_cell = p.side / 2;
   const auto middle = static_cast<double>(middle_cell);
-  state_->grid.add({middle, middle, middle}, 1);
-  state_->head.add({0, middle, 0}, 1);
+  state_->grid.add(middle_cell, middle_cell, middle_cell, 1);
+  state_->head.add(0, middle_cell, 0, 1);
   state_->estimate = {middle, middle, middle, 0};
   return Status::ok();
 }
@@ -64,9 +64,9 @@ double NeuroslamCells::radians(double heading) const {
 }
 
 ConjunctivePlace NeuroslamCells::estimate() const {
-  const CellPlace head = state_->head.peak(kHeadPacket);
-  const CellPlace grid = state_->grid.peak(kGridPacket);
-  return {grid[0], grid[1], grid[2], head[0]};
+  const CellPose head = state_->head.peak(kHeadPacket);
+  const CellPose grid = state_->grid.peak(kGridPacket);
+  return {grid.x, grid.y, grid.theta, head.x};
 }
 
 /// Moves the head direction cells by turn and climb, and the grid cells by the climb and by the
@@ -81,16 +81,17 @@ void NeuroslamCells::integrate(const Motion& motion) {
   const double heading = radians(state.estimate.heading) - toPlanar(before).theta;
   const PlanarPose level = compose({0, 0, heading}, {step.z(), -step.x(), 0});
   const double cell = parameters_.cell_size;
-  state.grid.shift({level.x / cell, level.y / cell, climbed});
-  state.head.shift({headingCells(turned), climbed, 0});
+  state.grid.shift(level.x / cell, level.y / cell, climbed);
+  state.head.shift(headingCells(turned), climbed, 0);
 }
 
 void NeuroslamCells::inject(const HabituatingViews<ConjunctivePlace>::Injection& injection,
                             double turned) {
   const ConjunctivePlace& place = injection.place;
-  state_->grid.add({place.x, place.y, place.height},
+  const auto cell = [](double along) { return static_cast<int>(std::lround(along)); };
+  state_->grid.add(cell(place.x), cell(place.y), cell(place.height),
                    static_cast<float>(kGridInjectedEnergy * injection.energy));
-  state_->head.add({place.heading + turned, place.height, 0},
+  state_->head.add(cell(place.heading + turned), cell(place.height), 0,
                    static_cast<float>(kHeadInjectedEnergy * injection.energy));
 }
 

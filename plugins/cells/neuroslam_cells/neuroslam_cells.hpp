@@ -2,11 +2,11 @@
 // Cells `neuroslam_cells`: the two attractors of NeuroSLAM (Yu et al. 2019) and its decision.
 #pragma once
 
+#include <activity_volume.hpp>
 #include <experience_memory.hpp>
 #include <optional>
 #include <vector>
 
-#include "activity_torus.hpp"
 #include "habituating_views.hpp"
 #include "parameters.hpp"
 #include "tolman/plugin.hpp"
@@ -40,8 +40,8 @@ class NeuroslamCells final : public Cells, public ArraySource, public ArrayDescr
 
  private:
   struct State {
-    ActivityTorus head;  ///< heading, height
-    ActivityTorus grid;  ///< x, y, height
+    ActivityVolume head;  ///< heading, height
+    ActivityVolume grid;  ///< x, y, height
     HabituatingViews<ConjunctivePlace> views;
     ExperienceMemory<ConjunctivePlace> experiences;
     /// By dead reckoning. Up is the -y axis of the first camera.

@@ -10,17 +10,17 @@
 
 namespace tolman::neuroslam_cells {
 
-/// Kernels (cells), inhibition and packets of the network, as published.
+/// Kernels (cells, cells^2), inhibition and packets of the network, as published.
 inline constexpr int kGridExcitationWidth = 7;
-inline constexpr double kGridExcitationSigma = 1.5;
+inline constexpr double kGridExcitationVariance = 1.5 * 1.5;
 inline constexpr int kGridInhibitionWidth = 5;
-inline constexpr double kGridInhibitionSigma = 2;
+inline constexpr double kGridInhibitionVariance = 2 * 2;
 inline constexpr double kGridGlobalInhibition = 2.5e-4;
 inline constexpr int kGridPacket = 4;
 inline constexpr int kHeadExcitationWidth = 9;  // 8 as published, but widths are odd here
-inline constexpr double kHeadExcitationSigma = 1.9;
+inline constexpr double kHeadExcitationVariance = 1.9 * 1.9;
 inline constexpr int kHeadInhibitionWidth = 5;
-inline constexpr double kHeadInhibitionSigma = 3.1;
+inline constexpr double kHeadInhibitionVariance = 3.1 * 3.1;
 inline constexpr double kHeadGlobalInhibition = 3e-4;
 inline constexpr double kHeadInjectedEnergy = 0.01;
 inline constexpr int kHeadPacket = 5;

@@ -33,7 +33,7 @@ Status PoseCells::configure(const Context& context) {
 Status PoseCells::reset() {
   const Parameters& p = parameters_;
   state_.emplace(State{
-      ActivityVolume(p.side, p.headings),
+      ActivityVolume(p.side, p.side, p.headings),
       HabituatingViews<CellPose>({p.injected_energy, kActiveDecay, p.restore, p.newest_ignored}),
       ExperienceMemory<CellPose>(
           p.experience_threshold,
@@ -48,14 +48,6 @@ Status PoseCells::reset() {
 
 double PoseCells::headingCells(double angle) const {
   return angle / (2 * std::numbers::pi) * parameters_.headings;
-}
-
-void PoseCells::attract() {
-  ActivityVolume& volume = state_->volume;
-  volume.excite(excitation_);
-  volume.inhibit(inhibition_);
-  volume.inhibitAll(static_cast<float>(kGlobalInhibition));
-  volume.normalise();
 }
 
 // The attractor mostly undoes a shift by a small part of a cell, so motions are added up until they
@@ -119,7 +111,7 @@ Status PoseCells::step(const Motion& motion, const PlaceObservation& observation
     const auto injection = state.views.see(observation.template_id, estimate());
     if (injection) inject(*injection, turned);
   }
-  attract();
+  state.volume.attract(excitation_, inhibition_, static_cast<float>(kGlobalInhibition));
   state.estimate = estimate();
 
   if (seen) {

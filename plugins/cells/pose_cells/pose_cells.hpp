@@ -2,11 +2,11 @@
 // Cells `pose_cells`: RatSLAM's network of pose cells and its experience decision.
 #pragma once
 
+#include <activity_volume.hpp>
 #include <experience_memory.hpp>
 #include <optional>
 #include <vector>
 
-#include "activity_volume.hpp"
 #include "habituating_views.hpp"
 #include "parameters.hpp"
 #include "tolman/plugin.hpp"
@@ -35,7 +35,6 @@ class PoseCells final : public Cells, public ArraySource, public ArrayDescriptio
     CellPose estimate;
   };
 
-  void attract();
   void integrate(const Motion& motion);
   void inject(const HabituatingViews<CellPose>::Injection& injection, double turned);
   /// The cell reached from `place` by a motion.

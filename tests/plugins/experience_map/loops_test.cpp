@@ -318,4 +318,37 @@ TEST_CASE("an experience that is passed only after the next one is created has a
   REQUIRE(link.duration == Approx(0.6));
 }
 
+namespace {
+
+/// Three laps of 40 experiences, 5 m apart, with exact odometry. Views of the later laps, which say
+/// that they are right to 0.1 m, are `off` by so many metres to all sides.
+std::vector<Finding> findingsOfLaps(double off) {
+  constexpr int kPlaces = 40;
+  Fixture fixture;
+  for (int k = 0; k < 3 * kPlaces; ++k) {
+    const Eigen::Isometry3d motion = k == 0 ? step(0) : step(5, 2 * std::numbers::pi / kPlaces);
+    if (k < kPlaces) {
+      fixture.create(motion);
+    } else {
+      fixture.closeMeasured(motion, k % kPlaces,
+                            fromPlanar({off * std::cos(2.4 * k), off * std::sin(2.4 * k), 0}));
+    }
+  }
+  REQUIRE(fixture.map.finish({}).isOk());
+  return fixture.host.findings;
+}
+
+}  // namespace
+
+TEST_CASE("a map far from its accepted loops is a warning, with the cause") {
+  CHECK(findingsOfLaps(0.1).empty());
+  const std::vector<Finding> found = findingsOfLaps(0.45);
+  REQUIRE(found.size() == 1);
+  INFO(found[0].message);
+  CHECK(found[0].severity == Finding::Severity::Warning);
+  CHECK(found[0].message.find("of 80 loop links are more than three standard deviations from the "
+                              "map: the poses that views measure are less certain than they say") !=
+        std::string::npos);
+}
+
 }  // namespace tolman::experience_map

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The separable attractor, which skips empty rows, compared with the plain triple sum.
-#include "activity_volume.hpp"
-
+#include <activity_volume.hpp>
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <tolman/context.hpp>
+#include <tolman/geometry.hpp>
 
 using namespace tolman;
-using namespace tolman::pose_cells;
 
 namespace {
 
@@ -16,7 +15,7 @@ constexpr int kHeadings = 9;
 
 ActivityVolume randomVolume(std::uint64_t seed, int cells) {
   RandomStream random(seed);
-  ActivityVolume volume(kSide, kHeadings);
+  ActivityVolume volume(kSide, kSide, kHeadings);
   for (int i = 0; i < cells; ++i) {
     volume.add(static_cast<int>(random.below(kSide)), static_cast<int>(random.below(kSide)),
                static_cast<int>(random.below(kHeadings)), static_cast<float>(random.uniform()));
@@ -92,7 +91,7 @@ TEST_CASE("global inhibition stops at zero, normalising makes the total one") {
   });
   volume.normalise();
   CHECK(volume.total() == Approx(1));
-  ActivityVolume empty(kSide, kHeadings);
+  ActivityVolume empty(kSide, kSide, kHeadings);
   empty.normalise();
   CHECK(empty.total() == 0);
 }
@@ -100,7 +99,7 @@ TEST_CASE("global inhibition stops at zero, normalising makes the total one") {
 TEST_CASE("path integration moves the packet by the distance, however far in one step") {
   // RatSLAM's weights turn negative beyond one cell a step (defect 10).
   for (const double step : {0.3, 1.0, 2.7, -1.4, 25.0}) {
-    ActivityVolume volume(30, 36);
+    ActivityVolume volume(30, 30, 36);
     for (int k = -1; k <= 1; ++k) volume.add(15 + k, 15, 9, 1);  // heading 90 deg
     volume.normalise();
     volume.move(step, 0);
@@ -113,7 +112,7 @@ TEST_CASE("path integration moves the packet by the distance, however far in one
 
 TEST_CASE("a turn moves the packet round the ring, also backwards and more than once") {
   for (const double turn : {0.25, 3.5, -7.75, 40.0}) {
-    ActivityVolume volume(11, 36);
+    ActivityVolume volume(11, 11, 36);
     volume.add(5, 5, 2, 1);
     volume.turn(turn);
     CHECK(volume.distance(volume.peak(3), {5, 5, wrapPeriod(2 + turn, 36)}) < 0.02);
@@ -122,22 +121,19 @@ TEST_CASE("a turn moves the packet round the ring, also backwards and more than 
 }
 
 TEST_CASE("sideways motion and the layers' own headings") {
-  ActivityVolume volume(30, 36);
+  ActivityVolume volume(30, 30, 36);
   volume.add(15, 15, 18, 1);  // facing -x
   volume.move(2, 1);          // forward is -x, left is -y
   CHECK(volume.distance(volume.peak(3), {13, 14, 18}) < 1e-3);
 }
 
 TEST_CASE("the packet is stable: it keeps place and size for hundreds of steps") {
-  ActivityVolume volume(30, 36);
+  ActivityVolume volume(30, 30, 36);
   volume.add(3, 28, 35, 1);
   const auto excitation = gaussianKernel(7, 1);
   const auto inhibition = gaussianKernel(5, 2);
   for (int step = 0; step < 300; ++step) {
-    volume.excite(excitation);
-    volume.inhibit(inhibition);
-    volume.inhibitAll(2e-5F);
-    volume.normalise();
+    volume.attract(excitation, inhibition, 2e-5F);
   }
   CHECK(volume.distance(volume.peak(3), {3, 28, 35}) < 1e-3);
   std::size_t active = 0;
@@ -147,7 +143,35 @@ TEST_CASE("the packet is stable: it keeps place and size for hundreds of steps")
 }
 
 TEST_CASE("distance goes the short way on all axes") {
-  const ActivityVolume volume(20, 36);
+  const ActivityVolume volume(20, 20, 36);
   CHECK(volume.distance({19, 1, 35}, {1, 19, 1}) == Approx(std::sqrt(4.0 + 4.0 + 4.0)));
   CHECK(volume.distance({0, 0, 0}, {10, 0, 0}) == Approx(10));
+}
+
+TEST_CASE("all layers of a block with axes of unlike length shift alike, by parts of a cell too") {
+  ActivityVolume volume(15, 13, 11);
+  volume.add(7, 6, 5, 0.6F);
+  volume.add(8, 6, 4, 0.4F);
+  const CellPose before = volume.peak(4);
+  volume.shift(0.3, -1.6, 2.45);
+  const CellPose after = volume.peak(4);
+  CHECK(volume.total() == Approx(1));
+  CHECK(after.x - before.x == Approx(0.3).margin(0.03));
+  CHECK(after.y - before.y == Approx(-1.6).margin(0.03));
+  CHECK(after.theta - before.theta == Approx(2.45).margin(0.03));
+  volume.shift(-4.3, 25.6, 3.55);  // far round the edges
+  CHECK(volume.distance(volume.peak(4), {before.x - 4, before.y + 24, before.theta + 6}) < 0.05);
+}
+
+TEST_CASE("with one layer a block is a sheet: its peak is over an edge, and kernels keep it") {
+  ActivityVolume volume(12, 12, 1);
+  volume.add(11, 3, 0, 1);
+  volume.add(0, 3, 0, 0.9F);
+  volume.add(5, 9, 0, 0.5F);  // far away: does not count
+  const CellPose place = volume.peak(2);
+  CHECK(place.x == Approx(11 + 0.9 / 1.9).margin(0.02));
+  CHECK(place.y == Approx(3).margin(1e-6));
+  CHECK(place.theta == 0);
+  volume.excite(gaussianKernel(5, 1));
+  CHECK(volume.total() == Approx(2.4));
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All operations on the volume of pose cells, a torus, commute with shifts and mirroring of a
 // packet.
+#include <activity_volume.hpp>
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "activity_volume.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman;
-using namespace tolman::pose_cells;
 
 namespace {
 
@@ -18,7 +17,7 @@ constexpr int kTorusHeadings = 10;
 int wrapped(int value, int count) { return ((value % count) + count) % count; }
 
 ActivityVolume randomVolume(RandomStream& random) {
-  ActivityVolume volume(kTorusSide, kTorusHeadings);
+  ActivityVolume volume(kTorusSide, kTorusSide, kTorusHeadings);
   for (int i = 0; i < 25; ++i) {
     volume.add(
         static_cast<int>(random.below(kTorusSide)), static_cast<int>(random.below(kTorusSide)),
@@ -30,7 +29,7 @@ ActivityVolume randomVolume(RandomStream& random) {
 /// Every cell of `volume` at the place that `to(x, y, theta)` says.
 template <class To>
 ActivityVolume rearranged(const ActivityVolume& volume, const To& to) {
-  ActivityVolume result(kTorusSide, kTorusHeadings);
+  ActivityVolume result(kTorusSide, kTorusSide, kTorusHeadings);
   for (int theta = 0; theta < kTorusHeadings; ++theta) {
     for (int y = 0; y < kTorusSide; ++y) {
       for (int x = 0; x < kTorusSide; ++x) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A block of cells over (x, y, theta) that wraps on all three axes: RatSLAM's continuous attractor.
-// Most cells are inactive, so only the rows (along x) with activity are processed.
+// A block of cells over (x, y, theta) that wraps on all three axes: RatSLAM's continuous attractor,
+// and those of NeuroSLAM, whose third axis is a height. Most cells are inactive, so only the rows
+// (along x) with activity are processed.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tolman::pose_cells {
+namespace tolman {
 
 /// A place in the volume, in cells, each axis in [0, size).
 struct CellPose {
@@ -22,11 +23,9 @@ std::vector<float> gaussianKernel(int width, double variance);
 
 class ActivityVolume {
  public:
-  /// `side` cells in x and y, `headings` in theta; none is active.
-  ActivityVolume(int side, int headings);
+  /// Cells along each axis; none is active.
+  ActivityVolume(int columns, int rows, int layers);
 
-  int side() const { return side_; }
-  int headings() const { return headings_; }
   std::span<const float> values() const { return now_.values; }  ///< theta-major, then y, then x
   float at(int x, int y, int theta) const;
   void add(int x, int y, int theta, float activity);
@@ -42,11 +41,15 @@ class ActivityVolume {
   void inhibitAll(float amount);
   /// Scales the total activity to one; an empty volume does not change.
   void normalise();
+  /// One step of the attractor: all of these, in this order.
+  void attract(std::span<const float> excitation, std::span<const float> inhibition, float global);
 
   /// Path integration: moves each layer by (forward, left) cells in the axes of its own heading, of
   /// any length; fractions are split between two neighbours.
   void move(double forward, double left);
   void turn(double headings);
+  /// Moves all activity by so many cells along each axis.
+  void shift(double x, double y, double theta);
 
   /// Population vector along each axis, over the cells at most `radius` from the strongest one.
   CellPose peak(int radius) const;
@@ -68,12 +71,17 @@ class ActivityVolume {
   void spreadInto(Sheet& spread, std::span<const float> kernel);
   void alongX(Sheet& sheet, std::span<const float> kernel);
 
-  int side_;
-  int headings_;
+  /// Moves each layer along x and y by what `shift_of` has for it.
+  template <class ShiftOf>
+  void moveLayers(const ShiftOf& shift_of);
+
+  int columns_;
+  int rows_;
+  int layers_;
   Sheet now_;
   Sheet next_;
   Sheet between_;
   std::vector<float> padded_;
 };
 
-}  // namespace tolman::pose_cells
+}  // namespace tolman
