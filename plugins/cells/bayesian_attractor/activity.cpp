@@ -125,64 +125,22 @@ ArrayAxis components(std::vector<std::string> labels) {
   return {"component", "", 0, 1, 0, std::move(labels)};
 }
 
-void describeSheets(const GridCode& grid, std::vector<ArrayInfo>& arrays) {
-  for (int module = 0; module < grid.modules(); ++module) {
-    const double period = grid.period(module);
-    const auto axis = [&](const char* name) {
-      return ArrayAxis{name, "m", 0, period / kSheetUnits, period, {}};
-    };
-    arrays.push_back({moduleName("grid", module) + ".activity",
-                      ArrayKind::Activity,
-                      "",
-                      "rates of the grid units of one module, 1 at the most",
-                      "",
-                      {axis("y"), axis("x")}});
-  }
+ArrayInfo values(std::string name, std::string unit, std::string doc,
+                 std::vector<std::string> labels) {
+  return {std::move(name),
+          ArrayKind::Values,
+          std::move(unit),
+          std::move(doc),
+          "",
+          {components(std::move(labels))}};
 }
 
-/// Position, heading and height of the integrator, and their standard deviations.
-void describeEstimates(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) {
-  arrays.push_back(
-      {"position.decoded",
-       ArrayKind::Values,
-       "m, rad",
-       "position of the integrator from the origin, read from all modules, and heading",
-       "",
-       {components({"x", "y", "heading"})}});
-  arrays.push_back({"position.sigma",
-                    ArrayKind::Values,
-                    "m, rad",
-                    "standard deviations of the integrator since the last calibration",
-                    "",
-                    {components({"x", "y", "heading"})}});
-  arrays.push_back({"calibration",
-                    ArrayKind::Values,
-                    "",
-                    "steady errors of path integration (rad/rad, rad/s, rad/m), their standard "
-                    "deviations, and the factor on the noise of odometry",
-                    "",
-                    {components({"turns", "turn_per_second", "turn_per_metre", "sigma_turns",
-                                 "sigma_turn_per_second", "sigma_turn_per_metre", "noise"})}});
-  if (network.code().height().modules() == 0) return;
-  arrays.push_back({"height.decoded",
-                    ArrayKind::Values,
-                    "m",
-                    "height of the integrator above the origin, and its standard deviation since "
-                    "the last calibration",
-                    "",
-                    {components({"height", "sigma"})}});
+ArrayInfo rates(std::string name, std::string doc, std::vector<ArrayAxis> axes) {
+  return {std::move(name), ArrayKind::Activity, "", std::move(doc), "", std::move(axes)};
 }
 
-void describeHeights(const HeightCode& height, std::vector<ArrayInfo>& arrays) {
-  for (int module = 0; module < height.modules(); ++module) {
-    const double period = height.period(module);
-    arrays.push_back({moduleName("height", module) + ".activity",
-                      ArrayKind::Activity,
-                      "",
-                      "rates of the vertical units of one module, 1 at the most",
-                      "",
-                      {{"height", "m", 0, period / kSheetUnits, period, {}}}});
-  }
+ArrayAxis unitAxis(const char* name, double period) {
+  return {name, "m", 0, period / kSheetUnits, period, {}};
 }
 
 }  // namespace
@@ -221,14 +179,21 @@ void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays) {
 }
 
 void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) {
-  arrays.push_back({"hd.activity",
-                    ArrayKind::Activity,
-                    "",
-                    "rates of head direction units, 1 at the most",
-                    "",
-                    {{"heading", "rad", 0, kTurn / kRingUnits, kTurn, {}}}});
-  describeSheets(network.code().grid(), arrays);
-  describeHeights(network.code().height(), arrays);
+  arrays.push_back(rates("hd.activity", "rates of head direction units, 1 at the most",
+                         {{"heading", "rad", 0, kTurn / kRingUnits, kTurn, {}}}));
+  const GridCode& grid = network.code().grid();
+  for (int module = 0; module < grid.modules(); ++module) {
+    const double period = grid.period(module);
+    arrays.push_back(rates(moduleName("grid", module) + ".activity",
+                           "rates of the grid units of one module, 1 at the most",
+                           {unitAxis("y", period), unitAxis("x", period)}));
+  }
+  const HeightCode& height = network.code().height();
+  for (int module = 0; module < height.modules(); ++module) {
+    arrays.push_back(rates(moduleName("height", module) + ".activity",
+                           "rates of the vertical units of one module, 1 at the most",
+                           {unitAxis("height", height.period(module))}));
+  }
   arrays.push_back({"hypotheses",
                     ArrayKind::Bump,
                     "",
@@ -236,7 +201,24 @@ void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) 
                     "",
                     {{"hypothesis", "", 0, 1, 0, {}},
                      components({"heading", "x", "y", "precision", "energy"})}});
-  describeEstimates(network, arrays);
+  arrays.push_back(
+      values("position.decoded", "m, rad",
+             "position of the integrator from the origin, read from all modules, and heading",
+             {"x", "y", "heading"}));
+  arrays.push_back(values("position.sigma", "m, rad",
+                          "standard deviations of the integrator since the last calibration",
+                          {"x", "y", "heading"}));
+  arrays.push_back(
+      values("calibration", "",
+             "steady errors of path integration (rad/rad, rad/s, rad/m), their standard "
+             "deviations, and the factor on the noise of odometry",
+             {"turns", "turn_per_second", "turn_per_metre", "sigma_turns", "sigma_turn_per_second",
+              "sigma_turn_per_metre", "noise"}));
+  if (height.modules() == 0) return;
+  arrays.push_back(values("height.decoded", "m",
+                          "height of the integrator above the origin, and its standard deviation "
+                          "since the last calibration",
+                          {"height", "sigma"}));
 }
 
 }  // namespace tolman::bayesian_attractor

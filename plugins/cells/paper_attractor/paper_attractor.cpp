@@ -34,14 +34,14 @@ Status PaperAttractor::configure(const Context& context) {
 
 PaperAttractor::State PaperAttractor::freshState() const {
   const Parameters& p = parameters_;
-  const HabituationSettings habituation = {kHabituationIncrement, kHabituationRecovery,
-                                           p.newest_ignored, p.first_views_ignored};
+  const HabituationSettings habituation = {.newest_ignored = p.newest_ignored,
+                                           .first_ignored = p.first_views_ignored};
   const ExperienceSettings experience = {p.experience_spacing,  p.experience_turn, kNovelSpacing,
                                          p.loop_minimum_travel, p.loop_spacing,    false};
   return {SpatialCells(HeadDirectionRing(networkSettings(p, kEnergyHeading)),
                        GridTorus(networkSettings(p, kEnergyPosition), p.metres_per_cell),
                        {p.decision_heading, p.decision_position}),
-          ViewLinks(habituation), ExperienceLog(experience)};
+          HabituatingViews<ViewLink>(habituation), ExperienceLog(experience)};
 }
 
 Status PaperAttractor::reset() {
@@ -62,17 +62,18 @@ Status PaperAttractor::step(const Motion& motion, const PlaceObservation& observ
   decision.template_id = seen ? observation.template_id : -1;
 
   integrate(motion);
+  const bool novel = seen && state_->links.find(observation.template_id) == nullptr;
   const bool injected = perceive(motion, observation);
   const ViewLink* const link = seen ? state_->links.find(observation.template_id) : nullptr;
   const bool familiar = injected && state_->cells.familiar();
   if (familiar && state_->log.allowsLoopTo(link->experience)) {
     closeLoop(observation, *link, decision);
-  } else if (state_->log.wantsNew(seen && link == nullptr)) {
+  } else if (state_->log.wantsNew(novel)) {
     decision.action = Action::CreateExperience;
     state_->log.create();
   }
   if (familiar) state_->cells.adoptEstimate();
-  if (seen && link == nullptr) learn(observation.template_id);
+  if (novel) learn(observation.template_id);
 
   decision.experience = state_->log.current();
   decision.heading = state_->cells.estimate().heading;
@@ -98,12 +99,10 @@ void PaperAttractor::integrate(const Motion& motion) {
 bool PaperAttractor::perceive(const Motion& motion, const PlaceObservation& observation) {
   if (observation.recognition == Recognition::None) return false;
   SpatialCells& cells = state_->cells;
-  state_->links.countView();
-  const bool injects = observation.recognition == Recognition::Familiar &&
-                       state_->links.activate(observation.template_id);
+  const auto injection = state_->links.see(observation.template_id, {});
+  const bool injects = injection && observation.recognition == Recognition::Familiar;
   if (injects) {
-    const ViewLink& link = *state_->links.find(observation.template_id);
-    cells.inject(cells.displaced(link.learned, toPlanar(fromTemplate(observation))),
+    cells.inject(cells.displaced(injection->place.learned, toPlanar(fromTemplate(observation))),
                  parameters_.injected_strength);
   }
   if (motion.state == TrackingState::Lost) cells.weakenIntegrators(kLostTrust);
@@ -125,11 +124,8 @@ void PaperAttractor::closeLoop(const PlaceObservation& observation, const ViewLi
 
 /// One-shot learning: the new local view cell is linked to the present firing pattern.
 void PaperAttractor::learn(std::int64_t template_id) {
-  ViewLink link;
-  link.learned = state_->cells.estimate();
-  link.experience = state_->log.current();
-  link.T_experience_template = state_->log.fromCurrent();
-  state_->links.learn(template_id, link);
+  *state_->links.find(template_id) = {state_->cells.estimate(), state_->log.current(),
+                                      state_->log.fromCurrent()};
 }
 
 void PaperAttractor::arrays(std::vector<NamedArray>& arrays) const {

@@ -3,15 +3,23 @@
 #pragma once
 
 #include <experience_log.hpp>
+#include <habituating_views.hpp>
 #include <optional>
 #include <vector>
 
 #include "parameters.hpp"
 #include "spatial_cells.hpp"
 #include "tolman/plugin.hpp"
-#include "view_links.hpp"
 
 namespace tolman::paper_attractor {
+
+/// What one view template was linked to when it was made.
+struct ViewLink {
+  CellPose learned;             ///< the estimate at that moment
+  std::int64_t experience = 0;  ///< the experience the robot was at
+  /// Pose of the template in the coordinates of that experience, by path integration.
+  Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
+};
 
 class PaperAttractor final : public Cells, public ArraySource, public ArrayDescriptions {
  public:
@@ -27,7 +35,7 @@ class PaperAttractor final : public Cells, public ArraySource, public ArrayDescr
  private:
   struct State {
     SpatialCells cells;
-    ViewLinks links;
+    HabituatingViews<ViewLink> links;
     ExperienceLog log;
     bool initialising = true;  ///< odometry had no motion yet
   };

@@ -15,8 +15,6 @@ inline constexpr double kEnergyHeading = 100;
 inline constexpr double kEnergyPosition = 1;
 inline constexpr double kFloor = 1e-4;
 inline constexpr double kLostTrust = 0.5;             // chosen, not tuned
-inline constexpr double kHabituationIncrement = 1.0;  // RatSLAM's
-inline constexpr double kHabituationRecovery = 0.04;  // RatSLAM's for St Lucia
 inline constexpr double kNovelSpacing = 1;
 
 struct PaperAttractorParameters {

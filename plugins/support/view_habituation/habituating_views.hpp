@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where each view was first seen, and how much its cell has habituated: a view that is seen again
 // and again injects less energy, and none at last, so that one view cannot hold the network in
-// place. RatSLAM's rule.
+// place. RatSLAM's rule, which the paper takes over.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +19,7 @@ struct HabituationSettings {
                              ///< is repeated at once
   double restore = 0.04;     ///< of the decay, per view
   int newest_ignored = 0;    ///< this many of the newest views inject nothing
+  int first_ignored = 0;     ///< nothing is injected until so many views were seen
 };
 
 /// `Place`: a position in the network.
@@ -44,12 +45,20 @@ class HabituatingViews {
     View& view = found->second;
     recover(view);
     if (repeated) view.decay += settings_.resting_decay;
-    if (view.order >= count - settings_.newest_ignored) return std::nullopt;
+    const bool too_new = view.order >= std::max(settled_, count - settings_.newest_ignored);
+    if (too_new || seen_ <= settings_.first_ignored) return std::nullopt;
     // Falls as an exponential of the decay, to nothing at ln(30) / 1.2 = 2.8; OpenRatSLAM's.
     const double energy = settings_.energy * (30 - std::exp(1.2 * view.decay)) / 30;
     if (!(energy > 0)) return std::nullopt;
     return Injection{view.place, energy};
   }
+  /// Where a view was first seen; null for one that was never seen.
+  Place* find(std::int64_t template_id) {
+    const auto found = views_.find(template_id);
+    return found == views_.end() ? nullptr : &found->second.place;
+  }
+  /// The robot was carried to an unknown place: no view so far is too new any more.
+  void startPart() { settled_ = static_cast<std::int64_t>(views_.size()); }
 
  private:
   struct View {
@@ -70,6 +79,7 @@ class HabituatingViews {
   std::map<std::int64_t, View> views_;
   std::int64_t seen_ = 0;
   std::int64_t previous_ = -1;
+  std::int64_t settled_ = 0;  ///< number of views from before the last gap
 };
 
 }  // namespace tolman

@@ -72,3 +72,15 @@ TEST_CASE("with NeuroSLAM's constants a repeated view is silent at once, and res
   CHECK(injection->place.theta == 5);
   CHECK(injection->energy == Approx((30 - std::exp(2.4)) / 30));
 }
+
+TEST_CASE("nothing is injected among the first fifty views, and no view is too new after a gap") {
+  HabituatingViews<Place> views({.newest_ignored = 10, .first_ignored = 50});
+  for (int id = 0; id < 30; ++id) views.see(id, {static_cast<double>(id), 0});
+  for (int seen = 31; seen <= 50; ++seen) CHECK_FALSE(views.see(seen % 2, {}));
+  CHECK(views.see(1, {}));  // the 51st
+  CHECK_FALSE(views.see(25, {}));
+  views.startPart();
+  CHECK(views.see(26, {}));
+  CHECK(views.find(7)->x == 7);
+  CHECK(views.find(99) == nullptr);
+}
