@@ -101,6 +101,36 @@ TEST_CASE("a loop of which odometry makes a spiral teaches the steady turn, in o
   CHECK(traceLoop(path, prior, wrong, 4).density < 1e-3 * loop.density);
 }
 
+TEST_CASE("a part of the path that joins another one begins where the way back leads") {
+  PathHistory path;
+  const auto drive = [&](int metres, double turn) {
+    for (int k = 0; k < metres; ++k) {
+      path.advance({1, 0, turn}, {1, 0, turn}, quiet(), effectOf({1, 0, turn}, kSecond), 5);
+    }
+    path.advance({}, {}, Eigen::Matrix3d::Zero(), ErrorEffect::Zero(), 0);  // a piece begins
+    return path.last();
+  };
+  drive(20, 0.02);
+  const std::int64_t there = drive(7, -0.1);
+  path.startPart();
+  const std::int64_t end = drive(30, 0.05);
+  const PlanarPose offset = {2, 1, 0.3};
+  path.join(there, offset, quiet());
+  const PlanarPose met = between(path.beginOf(there), path.beginOf(end));
+  CHECK(std::hypot(met.x - offset.x, met.y - offset.y) + std::abs(met.theta - offset.theta) < 1e-9);
+  // Traced again with other errors it still ends there, up to second order.
+  ErrorVector errors;
+  errors << 0.01, 2e-4, 2e-4, 0.01;
+  const std::vector<Traced> traced = path.trace(errors);
+  const PlanarPose again = between(traced[static_cast<std::size_t>(there)].pose,
+                                   traced[static_cast<std::size_t>(end)].pose);
+  CHECK(std::hypot(again.x - offset.x, again.y - offset.y) < 0.02);
+  CHECK(again.theta == Approx(offset.theta).margin(1e-6));
+  path.jump(there, offset, quiet());
+  CHECK(path.here().x == Approx(path.beginOf(end).x));
+  CHECK(path.firstOfWay(end) <= there);
+}
+
 TEST_CASE("the gain of distances stays as uncertain as it was, and widens the position") {
   ErrorEstimate estimate = RunningCalibration::priors()[0];
   const double before = estimate.covariance(3, 3);
