@@ -29,7 +29,7 @@ std::string payload() {
 }
 
 Status load(BayesianAttractor& plugin, const std::string& payload) {
-  return tolman::test::loadPayload(plugin, "TLMBAYES", 9, payload);
+  return tolman::test::loadPayload(plugin, "TLMBAYES", 10, payload);
 }
 
 }  // namespace
