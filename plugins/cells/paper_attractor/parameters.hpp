@@ -14,7 +14,7 @@ namespace tolman::paper_attractor {
 inline constexpr double kEnergyHeading = 100;
 inline constexpr double kEnergyPosition = 1;
 inline constexpr double kFloor = 1e-4;
-inline constexpr double kLostTrust = 0.5;             // chosen, not tuned
+inline constexpr double kLostTrust = 0.5;  // chosen, not tuned
 inline constexpr double kNovelSpacing = 1;
 
 struct PaperAttractorParameters {
