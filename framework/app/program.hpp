@@ -99,6 +99,7 @@ void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dat
 void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addEvalCommand(CLI::App& app, Invocation& invocation);
 void addPlanCommand(CLI::App& app, Invocation& invocation);
+void addExplainCommand(CLI::App& app, Invocation& invocation);
 void addReportCommand(CLI::App& app, Invocation& invocation);
 void addViewCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);

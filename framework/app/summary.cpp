@@ -26,12 +26,6 @@ std::string counted(std::int64_t number, std::string_view thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
 
-std::string scoreText(std::string_view name, const std::optional<evaluation::UnitScore>& score) {
-  if (!score) return "";
-  return fmt::format("{} {:.2f} (chance {:.2f}, {:.0f} % of the units above it)", name,
-                     score->median, score->chance, 100 * score->share_better);
-}
-
 }  // namespace
 
 std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMetrics& metrics) {
@@ -72,17 +66,11 @@ std::string cellsText(const evaluation::CellFigures& cells) {
   std::vector<std::string> parts;
   for (const evaluation::RingFigures& ring : cells.rings) {
     parts.push_back(errorText("heading", ring.error_deg, "deg"));
-    parts.push_back(scoreText("mean vector", ring.scores.mean_vector_length));
-    if (ring.scores.half_width_deg) {
-      parts.push_back(fmt::format("half width {:.0f} deg", ring.scores.half_width_deg->median));
-    }
   }
   if (!cells.sheets.empty()) {
     const std::string modulo =
         cells.modulo_m > 0 ? fmt::format(" (modulo {:.3g} m)", cells.modulo_m) : "";
     parts.push_back(errorText("position", cells.position_m, "m" + modulo));
-    const evaluation::LatticeScore lattice = evaluation::bestLattice(cells.sheets[0].scores);
-    parts.push_back(scoreText(lattice.name, lattice.score));
   }
   if (!cells.reason.empty()) parts.push_back("no errors: " + cells.reason);
   std::erase(parts, "");
@@ -122,13 +110,21 @@ std::string figuresText(const evaluation::Metrics& metrics) {
     text += fmt::format("{:<10}{}; {}\n", "sessions", metrics.sessions.size(),
                         unjoined.empty() ? "all parts of the map are joined" : unjoined);
   }
-  text += fmt::format("{:<10}{}\n", "alignment", enumName(metrics.alignment));
+  text += row("alignment", evaluation::alignmentText(metrics));
   if (metrics.body) text += bodyText(*metrics.body);
   text += trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
   if (!metrics.no_cells.empty()) {
     text += fmt::format("{:<10}WARNING no figures: {}\n", "cells", metrics.no_cells);
   }
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
+}
+
+std::string verdictsText(const evaluation::Metrics& metrics) {
+  std::string text;
+  for (const std::string& verdict : evaluation::verdictsOf(metrics)) {
+    text += row(text.empty() ? "verdict" : "", verdict);
+  }
+  return text;
 }
 
 ExitCode printOutcome(const engine::Outcome& outcome, const Invocation& invocation) {
@@ -139,6 +135,7 @@ ExitCode printOutcome(const engine::Outcome& outcome, const Invocation& invocati
     if (outcome.metrics) json["metrics"] = evaluation::toJson(*outcome.metrics);
     std::cout << jsonText(json);
   } else if (!invocation.quiet && !directory.empty()) {
+    if (outcome.metrics) std::cout << verdictsText(*outcome.metrics);
     std::cout << healthText(outcome) << fmt::format("{:<10}{}\n", "run", directory.string());
     if (outcome.metrics) {
       std::cout << figuresText(*outcome.metrics)

@@ -59,6 +59,19 @@ struct RecordedLink : Link {
   }
 };
 
+/// How far the finished map is from a link (MapGraph::residuals).
+struct LinkResidual {
+  static constexpr const char* kRecord = "link_residual";
+  std::int64_t id = -1;
+  double sigmas = -1;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(id, "", "the link");
+    TOLMAN_FIELD(sigmas, "", "distance of the map from it, standard deviations; -1 for none");
+  }
+};
+
 /// A named array of a frame.
 struct RecordedArray {
   static constexpr const char* kRecord = "array";
@@ -175,6 +188,13 @@ inline constexpr bool kIsRecordList = false;
 template <Record R>
 inline constexpr bool kIsRecordList<std::vector<R>> = true;
 
+/// The column that holds the frame of the record that a row was nested in.
+template <Record R>
+inline constexpr const char* kNestedIn = requires(R r) {
+  r.frame;
+}
+? "announced_at" : "frame";
+
 /// SELECT of all columns of a table, in the order of rowid: that of the key if it is one integer
 /// (frame, id), otherwise the order of insertion.
 std::string selectSql(const std::string& table, const Columns& columns,
@@ -197,8 +217,11 @@ class RowsOf {
                         "WHERE \"frame\" = ? AND \"source\" = '" + std::string(field.name) + "'"));
         } else if constexpr (kIsRecordList<T>) {
           using Item = typename T::value_type;
+          const bool exists = database.tableExists(Item::kRecord);  // not in older records
           lists_.emplace_back(
-              database, selectSql(Item::kRecord, columnsOf<Item>(), "WHERE \"announced_at\" = ?"));
+              database, exists ? selectSql(Item::kRecord, columnsOf<Item>(),
+                                           std::string("WHERE \"") + kNestedIn<Item> + "\" = ?")
+                               : "SELECT 0 WHERE 0 * ?");
         }
       });
     }

@@ -29,16 +29,13 @@ namespace fs = std::filesystem;
 /// The page of a run, evaluated by the settings of its configuration, or by the defaults if it
 /// cannot be read.
 Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitChoice& units) {
-  const config::Loaded loaded = config::load(run.directory() / "config.resolved.yaml", {},
-                                             [](const std::string&) { return std::nullopt; });
-  config::Problems problems = loaded.problems;
-  config::SystemConfig system = config::parse(loaded, problems);
-  if (!problems.empty()) system = {};
+  config::Node tree;
+  const config::SystemConfig system = configOf(run.directory(), &tree);
   auto data =
       report::readRun(run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
   if (!data.isOk()) return data.status();
   auto page = report::makePage(run, std::move(data).value(), units);
-  if (page.isOk()) page.value().settings = loaded.tree;
+  if (page.isOk()) page.value().settings = tree;
   return page;
 }
 
@@ -115,6 +112,15 @@ std::string lastParts(const Parts& parts, std::size_t count) {
 }
 
 }  // namespace
+
+config::SystemConfig configOf(const std::filesystem::path& run, config::Node* tree) {
+  const config::Loaded loaded = config::load(run / "config.resolved.yaml", {},
+                                             [](const std::string&) { return std::nullopt; });
+  config::Problems problems = loaded.problems;
+  config::SystemConfig system = config::parse(loaded, problems);
+  if (tree != nullptr) *tree = loaded.tree;
+  return problems.empty() ? system : config::SystemConfig{};
+}
 
 Result<Results> writeResults(const std::filesystem::path& directory,
                              const config::EvaluationSettings& settings, std::uint64_t seed) {

@@ -8,13 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "config/settings.hpp"
+#include "config/system_config.hpp"
 #include "record/run_reader.hpp"
 #include "report/run_data.hpp"
 #include "report/units.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::engine {
+
+/// The configuration of a recorded run; the defaults if it cannot be read.
+config::SystemConfig configOf(const std::filesystem::path& run, config::Node* tree = nullptr);
 
 /// The data of the result files, for the report.
 struct Results {

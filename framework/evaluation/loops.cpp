@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,6 +19,9 @@ double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180
 
 constexpr double kSamePlace = 10;  // m
 constexpr double kNearLoop = 5.5;  // m of driven path
+// Of a measured pose. The truth of a drive is itself off by about a metre from pass to pass.
+constexpr double kWrongPose = 1;    // m
+constexpr double kWrongSigmas = 5;  // standard deviations
 
 /// True position and driven path at each frame.
 class TruePlaces {
@@ -25,23 +29,32 @@ class TruePlaces {
   TruePlaces(const Trajectory& truth, double storey_height)
       : driven_(distances(truth)), storey_height_(storey_height) {
     for (std::size_t i = 0; i < truth.size(); ++i) {
-      places_[truth[i].frame] = {truth[i].T_world_camera.translation(), driven_[i]};
+      places_[truth[i].frame] = {truth[i].T_world_camera, driven_[i]};
     }
   }
-  /// Nothing where one of the frames has no true pose.
+  /// From one frame to the other; nothing where one of them has no true pose.
+  std::optional<Eigen::Vector3d> apart(std::int64_t a, std::int64_t b) const {
+    const Eigen::Isometry3d* first = poseOf(a);
+    const Eigen::Isometry3d* second = poseOf(b);
+    if (first == nullptr || second == nullptr) return std::nullopt;
+    return second->translation() - first->translation();
+  }
   std::optional<bool> same(std::int64_t a, std::int64_t b) const {
-    const auto first = places_.find(a);
-    const auto second = places_.find(b);
-    if (first == places_.end() || second == places_.end()) return std::nullopt;
-    const Eigen::Vector3d apart = first->second.position - second->second.position;
-    if (storey_height_ > 0 && std::abs(apart.y()) > storey_height_) return false;
-    return apart.norm() <= kSamePlace;
+    const auto apart = this->apart(a, b);
+    if (!apart) return std::nullopt;
+    if (storey_height_ > 0 && std::abs(apart->y()) > storey_height_) return false;
+    return apart->norm() <= kSamePlace;
+  }
+  /// Null where there is none.
+  const Eigen::Isometry3d* poseOf(std::int64_t frame) const {
+    const auto found = places_.find(frame);
+    return found == places_.end() ? nullptr : &found->second.T_world_camera;
   }
   double driven(std::int64_t frame) const { return places_.at(frame).driven; }
 
  private:
   struct TruePosition {
-    Eigen::Vector3d position;
+    Eigen::Isometry3d T_world_camera;
     double driven = 0;  ///< m
   };
   std::vector<double> driven_;
@@ -49,31 +62,51 @@ class TruePlaces {
   std::map<std::int64_t, TruePosition> places_;
 };
 
+/// The frame at which each template was made.
+std::map<std::int64_t, std::int64_t> framesOfTemplates(
+    const std::vector<PlaceObservation>& places) {
+  std::map<std::int64_t, std::int64_t> learned;
+  for (const PlaceObservation& place : places) {
+    if (place.recognition == Recognition::Novel) {
+      learned.try_emplace(place.template_id, place.frame);
+    }
+  }
+  return learned;
+}
+
+/// Compares a measured pose with the true one.
+void judgePose(const PlaceObservation& view, const Eigen::Isometry3d& then,
+               const Eigen::Isometry3d& now, double storey_height, JudgedLoop& loop) {
+  const Eigen::Isometry3d error = view.T_template_current.inverse() * (then.inverse() * now);
+  const Eigen::Vector3d off = error.translation();
+  loop.error_m = off.norm();
+  const Eigen::Matrix3d covariance = view.covariance.topLeftCorner<3, 3>();
+  loop.error_sigmas = std::sqrt(std::max(0.0, off.dot(covariance.ldlt().solve(off))));
+  const double height = (now.linear() * off).y();
+  const bool other_storey = storey_height > 0 && std::abs(height) > storey_height;
+  const bool wrong = off.norm() > kWrongPose && *loop.error_sigmas > kWrongSigmas;
+  loop.is_true = !other_storey && !wrong && off.norm() <= kSamePlace;
+}
+
 /// Counts links; returns the driven path (m) at each true loop.
-std::vector<double> countLinks(const MapGraph& graph, const TruePlaces& truth,
+std::vector<double> countLinks(const std::vector<JudgedLoop>& loops, const TruePlaces& truth,
                                LoopFigures& figures) {
   std::vector<double> closed;
-  const auto frameOf = [&](std::int64_t experience) {
-    return graph.experiences.at(static_cast<std::size_t>(experience)).frame;
-  };
-  for (const Link& link : graph.links) {
-    if (link.kind != LinkKind::Loop) continue;
-    const auto same = truth.same(frameOf(link.from), frameOf(link.to));
-    if (!graph.isRejected(link)) {
-      ++(!same ? figures.unknown_links : *same ? figures.true_links : figures.false_links);
-    }
-    const std::int64_t visited = std::min(frameOf(link.from), frameOf(link.to));
-    if (truth.same(link.frame, visited).value_or(false)) closed.push_back(truth.driven(link.frame));
+  for (const JudgedLoop& loop : loops) {
+    const bool known = truth.poseOf(loop.frame) != nullptr;
+    if (known && loop.is_true.value_or(false)) closed.push_back(truth.driven(loop.frame));
+    if (loop.rejected) continue;
+    ++(!loop.is_true   ? figures.unknown_links
+       : *loop.is_true ? figures.true_links
+                       : figures.false_links);
   }
   return closed;
 }
 
 void countViews(const std::vector<PlaceObservation>& places, const TruePlaces& truth,
                 const std::vector<double>& closed, LoopFigures& figures) {
-  std::map<std::int64_t, std::int64_t> learned;  // frame of the novel view by template
+  const auto learned = framesOfTemplates(places);
   for (const PlaceObservation& place : places) {
-    if (place.recognition == Recognition::Novel)
-      learned.try_emplace(place.template_id, place.frame);
     const auto old = learned.find(place.template_id);
     if (place.recognition != Recognition::Familiar) continue;
     const auto same = old == learned.end() ? std::nullopt : truth.same(place.frame, old->second);
@@ -141,11 +174,52 @@ std::string loopsText(std::span<const Revisit> revisits, const RevisitRule& rule
   return text;
 }
 
+std::vector<JudgedLoop> judgeLoops(const MapGraph& graph,
+                                   const std::vector<PlaceObservation>& places,
+                                   const Trajectory& truth, double storey_height) {
+  const TruePlaces true_places(truth, storey_height);
+  const auto learned = framesOfTemplates(places);
+  std::map<std::int64_t, const PlaceObservation*> views;
+  const bool turned = hasOrientations(truth);
+  for (const PlaceObservation& place : places) {
+    const bool measured = place.recognition == Recognition::Familiar && place.has_relative_pose;
+    if (turned && measured) views[place.frame] = &place;
+  }
+  const auto frameOf = [&](std::int64_t experience) {
+    return graph.experiences.at(static_cast<std::size_t>(experience)).frame;
+  };
+  std::vector<JudgedLoop> loops;
+  for (std::size_t i = 0; i < graph.links.size(); ++i) {
+    const Link& link = graph.links[i];
+    if (link.kind != LinkKind::Loop) continue;
+    JudgedLoop& loop = loops.emplace_back();
+    loop.link = link.id;
+    loop.frame = link.frame;
+    loop.earlier = std::min(frameOf(link.from), frameOf(link.to));
+    loop.rejected = graph.isRejected(link);
+    if (i < graph.residuals.size()) loop.residual = graph.residuals[i];
+    if (const auto apart = true_places.apart(frameOf(link.from), frameOf(link.to))) {
+      loop.apart_m = apart->norm();
+    }
+    loop.is_true = true_places.same(frameOf(link.from), frameOf(link.to));
+    const auto view = views.find(link.frame);
+    const auto then = view == views.end() ? learned.end() : learned.find(view->second->template_id);
+    if (then == learned.end()) continue;
+    const Eigen::Isometry3d* here = true_places.poseOf(link.frame);
+    const Eigen::Isometry3d* there = true_places.poseOf(then->second);
+    if (here != nullptr && there != nullptr) {
+      judgePose(*view->second, *there, *here, storey_height, loop);
+    }
+  }
+  return loops;
+}
+
 LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
                         const Trajectory& truth, double storey_height) {
   const TruePlaces true_places(truth, storey_height);
   LoopFigures figures;
-  const std::vector<double> closed = countLinks(graph, true_places, figures);
+  const std::vector<double> closed =
+      countLinks(judgeLoops(graph, places, truth, storey_height), true_places, figures);
   countViews(places, true_places, closed, figures);
   return figures;
 }

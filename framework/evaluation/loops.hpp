@@ -53,12 +53,35 @@ std::vector<Revisit> findRevisits(const Trajectory& truth, const RevisitRule& ru
 /// loops.txt: a comment line, then `frame earlier same|opposite distance_m`.
 std::string loopsText(std::span<const Revisit> revisits, const RevisitRule& rule = {});
 
+/// A loop link of the map against the truth. A link of a view with a measured pose is judged by the
+/// error of that pose, height included: the place may be far ahead and the pose right. It is false
+/// if the error is more than a metre and more than five of its standard deviations, or more than
+/// 10 m. Others, and where the truth has no orientations, are judged by how far apart their ends
+/// are: false if more than 10 m.
+struct JudgedLoop {
+  std::int64_t link = -1;
+  std::int64_t frame = -1;        ///< at which the loop was seen
+  std::int64_t earlier = -1;      ///< of the experience to which it returns
+  bool rejected = false;          ///< by the map
+  double residual = -1;           ///< of the map, standard deviations; -1: not known
+  std::optional<double> apart_m;  ///< its ends
+  std::optional<double> error_m;  ///< of the measured pose
+  std::optional<double> error_sigmas;
+  std::optional<bool> is_true;  ///< none where an end has no true pose
+};
+
+/// All loop links, in the order of their ids. Places that are more than `storey_height` metres
+/// apart in height (y of the true poses) are different ones; 0: heights are ignored.
+std::vector<JudgedLoop> judgeLoops(const MapGraph& graph,
+                                   const std::vector<PlaceObservation>& places,
+                                   const Trajectory& truth, double storey_height = 0);
+
 /// Links and views are true or false if both ends have a true pose. Others are unknown: in a
 /// continued run, for example, true poses of the earlier session are those of another world.
 struct LoopFigures {
-  std::int64_t true_links = 0;   ///< loop links of the final graph between ends at most 10 m apart
-  std::int64_t false_links = 0;  ///< those between ends that are further apart
-  std::int64_t true_views = 0;   ///< familiar views, at most 10 m from where the view was learned
+  std::int64_t true_links = 0;  ///< loop links of the final graph (JudgedLoop::is_true)
+  std::int64_t false_links = 0;
+  std::int64_t true_views = 0;  ///< familiar views, at most 10 m from where the view was learned
   std::int64_t false_views = 0;
   std::int64_t unknown_links = 0;  ///< loop links of the final graph
   std::int64_t unknown_views = 0;  ///< familiar views
@@ -67,8 +90,7 @@ struct LoopFigures {
   std::int64_t true_views_closed = 0;
 };
 
-/// Places that are more than `storey_height` metres apart in height (y of the true poses) are
-/// different ones; 0: heights are ignored.
+/// `storey_height`: as for judgeLoops().
 LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
                         const Trajectory& truth, double storey_height = 0);
 

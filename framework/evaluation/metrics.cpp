@@ -240,6 +240,51 @@ StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
   return {s.count, s.mean, s.median, percentile(90), percentile(95), s.max};
 }
 
+std::vector<std::string> verdictsOf(const Metrics& metrics) {
+  constexpr double kStill = 0.1;   // m
+  constexpr double kWorse = 1.02;  // of odometry's error; below, they are equal
+  std::vector<std::string> verdicts;
+  const auto& odometry = metrics.odometry;
+  const auto& map = metrics.map;
+  if (odometry.in_metres && metrics.frames > 1 && odometry.path_length_m < kStill) {
+    verdicts.push_back(
+        fmt::format("the camera did not move: its path is {:.3f} m", odometry.path_length_m));
+  }
+  const std::int64_t links = metrics.counts.loop_links;
+  std::string loops = links == 0 ? "no loop was closed"
+                                 : fmt::format("{} loop link{}", links, links == 1 ? "" : "s");
+  if (metrics.loops && links > 0) {
+    const LoopFigures& figures = *metrics.loops;
+    loops += figures.false_links > 0  ? fmt::format(", {} of them FALSE", figures.false_links)
+             : figures.true_links > 0 ? ", none of them false"
+                                      : ", of places without true poses";
+  }
+  if (metrics.counts.rejected_loop_links > 0) {
+    loops += fmt::format("; the map rejected {}", metrics.counts.rejected_loop_links);
+  }
+  verdicts.push_back(loops);
+  if (odometry.scores && map.scores) {
+    const double before = odometry.scores->ate_m.rmse;
+    const double after = map.scores->ate_m.rmse;
+    if (after > kWorse * before) {
+      verdicts.push_back(fmt::format(
+          "the map is WORSE than its odometry: {:.3f} m against {:.3f} m", after, before));
+    }
+  }
+  if (metrics.returns == false) {
+    verdicts.emplace_back(
+        "this recording never returns to a place: cells and map cannot be compared on it");
+  }
+  return verdicts;
+}
+
+std::string alignmentText(const Metrics& metrics) {
+  const auto& scores = metrics.map.scores ? metrics.map.scores : metrics.odometry.scores;
+  const bool fitted = metrics.alignment == Alignment::Sim3 && scores;
+  return std::string(enumName(metrics.alignment)) +
+         (fitted ? fmt::format(", scale {:.4g} fitted", scores->scale) : "");
+}
+
 std::string unjoinedText(const Metrics& metrics) {
   if (metrics.parts <= 1) return "";
   std::vector<std::string> places;
@@ -263,7 +308,8 @@ Json toJson(const Metrics& metrics) {
   const bool known = metrics.odometry.scores && metrics.map.scores;
   Json coverage;
   if (known) coverage = std::min(metrics.odometry.scores->coverage, metrics.map.scores->coverage);
-  Json json = {{"alignment", enumName(metrics.alignment)},
+  Json json = {{"verdicts", verdictsOf(metrics)},
+               {"alignment", enumName(metrics.alignment)},
                {"odometry", toJson(metrics.odometry)},
                {"map", toJson(metrics.map)},
                {"nees", toJson(metrics.motions)},

@@ -103,6 +103,7 @@ struct Metrics {
   std::int64_t templates = 0;
   MapCounts counts;
   std::optional<LoopFigures> loops;  ///< none without truth
+  std::optional<bool> returns;       ///< to an earlier place, by the truth; none without truth
   std::optional<Extrinsic> body;     ///< of the truth, if `evaluation.body: estimate` found it
   std::string truth_sha256;          ///< of the true poses; empty without truth
   std::map<std::string, StageTiming> timing;
@@ -111,6 +112,13 @@ struct Metrics {
   std::optional<CellFigures> cells;  ///< none where no activity was recorded
   std::string no_cells;  ///< why there are none although arrays were recorded; mostly empty
 };
+
+/// What to know of a run before its numbers, most important first: false loops, a map worse than
+/// its odometry, a camera that does not move, a recording that never returns to a place.
+std::vector<std::string> verdictsOf(const Metrics& metrics);
+
+/// "sim3, scale 1.234 fitted": figures after it do not compare with those of a known scale.
+std::string alignmentText(const Metrics& metrics);
 
 /// A sentence about the connected parts of the map; empty where there is only one.
 std::string unjoinedText(const Metrics& metrics);

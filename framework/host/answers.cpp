@@ -261,6 +261,9 @@ Status checkGraph(const MapGraph& graph, const KnownMap& known) {
     const Experience& experience = graph.experiences[static_cast<std::size_t>(i)];
     if (Status status = checkExperience(experience, i, known); !status.isOk()) return status;
   }
+  if (!graph.residuals.empty() && graph.residuals.size() != graph.links.size()) {
+    return failed("{} residuals of {} links", graph.residuals.size(), graph.links.size());
+  }
   for (std::size_t i = 0; i < graph.links.size(); ++i) {
     if (graph.links[i].id != static_cast<std::int64_t>(i)) {
       return failed(

@@ -42,7 +42,7 @@ std::string rowsFrom(const Table& table, const std::string& next, const std::str
     return std::ranges::find(table.columns, name, &Column::name) != table.columns.end();
   };
   for (const char* whole : {CameraRig::kRecord, RecordedArrayInfo::kRecord, FinalPose::kRecord,
-                            Experience::kRecord, RecordedLink::kRecord}) {
+                            Experience::kRecord, RecordedLink::kRecord, LinkResidual::kRecord}) {
     if (table.name == whole) return "TRUE";
   }
   if (has("announced_at")) {
@@ -56,7 +56,8 @@ std::string rowsFrom(const Table& table, const std::string& next, const std::str
 
 void createTables(Database& database, bool exact) {
   for (const Table& table : schema()) {
-    if ((table.name == ExactPoses::kRecord) == exact) database.exec(createSql(table));
+    const bool wanted = (table.name == ExactPoses::kRecord) == exact;
+    if (wanted && !database.tableExists(table.name)) database.exec(createSql(table));
   }
 }
 
@@ -68,6 +69,8 @@ Database createDatabase(const std::filesystem::path& file, const std::string& ru
   for (const SqlView& view : views()) database.exec(createSql(view));
   database.exec(
       "CREATE INDEX \"motion_revision_announced\" ON \"motion_revision\" (\"announced_at\");"
+      "CREATE INDEX \"candidate_frame\" ON \"candidate\" (\"frame\");"
+      "CREATE INDEX \"hypothesis_frame\" ON \"hypothesis\" (\"frame\");"
       "CREATE INDEX \"array_frame\" ON \"array\" (\"frame\");"
       "CREATE INDEX \"earlier_loop_announced\" ON \"earlier_loop\" (\"announced_at\");"
       "INSERT INTO \"run\" VALUES ('schema_version', '" +
@@ -101,6 +104,7 @@ Result<std::unique_ptr<Recorder>> Recorder::reopen(const std::filesystem::path& 
   return answered(file.string(), [&] {
     Database database = openDatabase(file, Access::Write);
     database.exec(kJournal);
+    createTables(database, false);  // those that an older record has not
     std::unique_ptr<Recorder> recorder(new Recorder(file, std::move(database)));
     recorder->removeFrom(next_frame);
     return recorder;
@@ -285,7 +289,12 @@ Status Recorder::revisions(const std::vector<MotionRevision>& revisions) {
 }
 
 Status Recorder::graph(const MapGraph& graph) {
-  return write([&] { writeGraph(graph); });
+  return write([&] {
+    writeGraph(graph);
+    for (std::size_t i = 0; i < graph.residuals.size(); ++i) {
+      store_.upsert(LinkResidual{static_cast<std::int64_t>(i), graph.residuals[i]});
+    }
+  });
 }
 
 Status Recorder::timing(std::int64_t frame, std::string_view stage, std::int64_t duration_ns) {

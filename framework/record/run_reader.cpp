@@ -248,6 +248,11 @@ const Result<MapGraph>& RunReader::graph() const {
       graph.links.push_back(link);
       if (link.rejected) graph.rejected.push_back(link.id);
     }
+    if (database_.tableExists(LinkResidual::kRecord)) {  // not in older records
+      for (const LinkResidual& row : rowsById<LinkResidual>(database_)) {
+        graph.residuals.push_back(row.sigmas);
+      }
+    }
     graph.version =
         integerOf(database_, "SELECT coalesce(max(\"version\"), 0) FROM \"map_update\"");
     return graph;

@@ -32,8 +32,16 @@ template <Record R>
 Table announcedTable(std::string doc) {
   Table announced =
       table<R>(std::move(doc), frameReference() + reference("announced_at", "frame", "frame"));
-  announced.columns.insert(announced.columns.begin(), announcedAt());
+  announced.columns.insert(announced.columns.begin(), nestedIn<R>());
   return announced;
+}
+
+/// A table of records without a frame of their own that belong to a frame.
+template <Record R>
+Table nestedTable(std::string doc) {
+  Table nested = table<R>(std::move(doc), frameReference());
+  nested.columns.insert(nested.columns.begin(), nestedIn<R>());
+  return nested;
 }
 
 /// SQL for columns x, y (m) and heading (rad) of the pose `pose`, as in toPlanar().
@@ -69,11 +77,6 @@ std::string tableMarkdown(const Table& table) {
 
 }  // namespace
 
-Column announcedAt() {
-  return {"announced_at", "INTEGER NULL", "",
-          "the frame whose record brought it; NULL after the last frame"};
-}
-
 std::vector<Table> schema() {
   return {
       {"run",
@@ -90,7 +93,9 @@ std::vector<Table> schema() {
           "improved motions of earlier frames, in the order of arrival (rowid); the last one of a "
           "frame is valid"),
       frameTable<PlaceObservation>("answers of place recognition"),
+      nestedTable<Candidate>("places that were considered for a frame, best first (rowid)"),
       frameTable<Decision>("decisions of the spatial cells"),
+      nestedTable<PlaceHypothesis>("hypotheses of the spatial cells that a frame changed"),
       announcedTable<EarlierLoop>("loops of earlier frames that a decision accepts"),
       frameTable<MapUpdate>("answers of the map"),
       frameTable<FinalPose>("pose of each frame in the finished map"),
@@ -99,6 +104,7 @@ std::vector<Table> schema() {
       table<RecordedLink>("links of the experience map, latest values",
                           primaryKey("id") + reference("from", "experience", "id") +
                               reference("to", "experience", "id") + frameReference()),
+      table<LinkResidual>("how far the finished map is from its links", primaryKey("id")),
       table<RecordedArrayInfo>("descriptions of the named arrays, constant over a run", ""),
       table<RecordedArray>("named arrays of a frame: its sensors, and the state of the cells",
                            frameReference()),

@@ -31,8 +31,17 @@ std::string insertSql(const std::string& table, const Columns& columns);
 /// The same, and all columns are replaced where the table has a row of this id.
 std::string upsertSql(const std::string& table, const Columns& columns);
 
-/// The column of a table of nested records that holds the frame of the enclosing record.
-Column announcedAt();
+/// The column of a table of nested records that holds the frame of the enclosing record: its name
+/// is `frame` where the records have no frame of their own.
+template <Record R>
+Column nestedIn() {
+  if constexpr (requires(R r) { r.frame; }) {
+    return {kNestedIn<R>, "INTEGER NULL", "",
+            "the frame whose record brought it; NULL after the last frame"};
+  } else {
+    return {kNestedIn<R>, "INTEGER", "", "the frame"};
+  }
+}
 
 struct SqlView {
   std::string name;
@@ -75,7 +84,7 @@ class StoreWriter {
   void insertAnnounced(std::optional<std::int64_t> frame, const R& record) {
     Statement& row = statement(R::kRecord, [] {
       Columns columns = columnsOf<R>();
-      columns.insert(columns.begin(), announcedAt());
+      columns.insert(columns.begin(), nestedIn<R>());
       return insertSql(R::kRecord, columns);
     });
     frame ? row.bindNext(*frame) : row.bindNext();

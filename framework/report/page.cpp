@@ -201,7 +201,7 @@ std::string errorNotes(const evaluation::Metrics& metrics) {
 std::string errorTable(const evaluation::Metrics& metrics) {
   std::string text =
       fmt::format("<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th>",
-                  enumName(metrics.alignment));
+                  evaluation::alignmentText(metrics));
   for (const ErrorColumn& column : kErrorColumns) text += column.heading;
   return text + "</tr>\n" + errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) +
          "</table></div>\n" + errorNotes(metrics);
@@ -240,12 +240,56 @@ std::string latencyRows(const Json& provenance) {
       value("median_ms"), value("p99_ms"));
 }
 
+/// The verdicts, and the list of loops and near misses.
+std::string verdictList(const evaluation::Metrics& metrics) {
+  std::string text = "<ul>\n";
+  for (const std::string& verdict : evaluation::verdictsOf(metrics)) {
+    text += "<li>" + escaped(verdict) + "</li>\n";
+  }
+  return text + "</ul>\n";
+}
+
+std::string loopTable(const std::vector<LoopStory>& loops) {
+  constexpr std::size_t kMost = 60;
+  if (loops.empty()) return "";
+  std::string text = "<h2>Loops</h2>\n<div class=\"wide\"><table><tr>";
+  for (const std::string& heading : storyHeadings()) text += "<th>" + heading + "</th>";
+  text += "</tr>\n";
+  for (std::size_t i = 0; i < std::min(kMost, loops.size()); ++i) {
+    text += "<tr title=\"" + escaped(loops[i].text()) + "\">";
+    for (const std::string& cell : loops[i].cells()) text += "<td>" + escaped(cell) + "</td>";
+    text += "</tr>\n";
+  }
+  text += "</table></div>\n<p>";
+  if (loops.size() > kMost) text += fmt::format("{} more. ", loops.size() - kMost);
+  return text +
+         "<code>tolman explain RUN --frame N</code> explains one of them, with both views.</p>\n";
+}
+
+/// The words for a counter of run.json.
+std::string labelOf(const std::string& counter) {
+  constexpr std::array<std::pair<const char*, const char*>, 5> kWords = {
+      {{"impossible", "impossible motions"},
+       {"defects", "images missing or faulty"},
+       {"nearly_black", "nearly black images"},
+       {"unmoved", "frames with zero motion"},
+       {"place_left_out", "frames without place recognition"}}};
+  for (const auto& [name, words] : kWords) {
+    if (counter == name) return words;
+  }
+  std::string words = counter;
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
 std::string healthTable(const Json& provenance, const evaluation::Metrics& metrics) {
   std::string rows;
   const auto counters = provenance.find("counters");
   if (provenance.is_object() && counters != provenance.end()) {
     for (const auto& [key, value] : counters->items()) {
-      rows += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(value.dump()));
+      rows += fmt::format(
+          "<tr><td>{}</td><td>{}</td></tr>\n", escaped(labelOf(key)),
+          escaped(value.is_boolean() ? (value.get<bool>() ? "yes" : "no") : value.dump()));
     }
   } else {  // a killed run has no counters in run.json
     rows =
@@ -285,8 +329,10 @@ std::string section(const RunPage& run, const std::string& name) {
         "<p><strong>This run was killed.</strong> The page shows what it had recorded; counters "
         "and warnings of its end are missing.</p>\n";
   }
+  text += verdictList(run.data.metrics);
   text += "<h2>Health</h2>\n" + healthTable(run.provenance, run.data.metrics);
   text += "<h2>Errors</h2>\n" + errorTable(run.data.metrics);
+  text += loopTable(run.data.loops);
   text += sessionTable(run.data.metrics);
   for (const PageFigure& figure : run.figures) {
     text += figureText(figure.file, figure.svg, figure.caption);
@@ -363,17 +409,19 @@ TextOf loops(std::int64_t evaluation::LoopFigures::*count) {
 std::vector<std::pair<std::string, TextOf>> metricRows() {
   using evaluation::LoopFigures;
   using evaluation::Metrics;
-  return {{"map ATE rmse m", score(&Metrics::map, kErrorColumns[0])},
-          {"odometry ATE rmse m", score(&Metrics::odometry, kErrorColumns[0])},
-          {"odometry t_rel %", score(&Metrics::odometry, kErrorColumns[6])},
-          {"coverage %", score(&Metrics::odometry, kErrorColumns[8])},
-          {"loop links",
-           [](const RunPage& run) { return std::to_string(run.data.metrics.counts.loop_links); }},
-          {"true loop links", loops(&LoopFigures::true_links)},
-          {"false loop links", loops(&LoopFigures::false_links)},
-          {"frames", [](const RunPage& run) { return std::to_string(run.data.metrics.frames); }},
-          {"lost", counter("lost")},
-          {"dropped", counter("dropped")}};
+  return {
+      {"alignment", [](const RunPage& run) { return evaluation::alignmentText(run.data.metrics); }},
+      {"map ATE rmse m", score(&Metrics::map, kErrorColumns[0])},
+      {"odometry ATE rmse m", score(&Metrics::odometry, kErrorColumns[0])},
+      {"odometry t_rel %", score(&Metrics::odometry, kErrorColumns[6])},
+      {"coverage %", score(&Metrics::odometry, kErrorColumns[8])},
+      {"loop links",
+       [](const RunPage& run) { return std::to_string(run.data.metrics.counts.loop_links); }},
+      {"true loop links", loops(&LoopFigures::true_links)},
+      {"false loop links", loops(&LoopFigures::false_links)},
+      {"frames", [](const RunPage& run) { return std::to_string(run.data.metrics.frames); }},
+      {"lost", counter("lost")},
+      {"dropped", counter("dropped")}};
 }
 
 }  // namespace

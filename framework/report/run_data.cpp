@@ -168,6 +168,18 @@ void warnOfScales(const record::RunReader& reader, std::int64_t own, evaluation:
   if (must(reader.mixesScales(0))) metrics.map.warning = text;
 }
 
+/// Whether the truth comes back to a place: nearer than 5 m after 20 m, or less on short paths.
+bool returnsToPlace(const evaluation::Trajectory& truth) {
+  constexpr std::size_t kMost = 2000;  // poses; bounds the time
+  evaluation::Trajectory thinned;
+  for (std::size_t i = 0; i < truth.size(); i += 1 + truth.size() / kMost) {
+    thinned.push_back(truth[i]);
+  }
+  const double path = evaluation::pathLength(thinned);
+  const evaluation::RevisitRule rule{std::min(5.0, 0.05 * path), std::min(20.0, 0.2 * path)};
+  return !evaluation::findRevisits(thinned, rule).empty();
+}
+
 /// The metrics of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
                             const RunData& run, const config::EvaluationSettings& settings) {
@@ -198,6 +210,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   metrics.counts = evaluation::countsOf(run.graph, totals.loop_decisions);
   metrics.truth_sha256 = digestOf(truth);
   if (!truth.empty()) {
+    metrics.returns = returnsToPlace(truth);
     metrics.loops = evaluation::loopFigures(run.graph, must(reader.records<PlaceObservation>()),
                                             truth, settings.loop_height);
   }
@@ -284,23 +297,52 @@ std::string nameOf(const record::RunReader& reader) {
   return name == meta.end() ? "run" : name->second;
 }
 
+/// Trajectories and graph, and the true poses of the camera.
+RunData trajectoriesOf(const record::RunReader& reader, const config::EvaluationSettings& settings,
+                       evaluation::Trajectory& truth) {
+  const auto sessions = must(reader.sessions());
+  const std::int64_t own = sessions.empty() ? 0 : sessions.back().first_frame;
+  const bool joint = settings.sessions == config::SessionScope::Joint;
+  truth = since(joint ? 0 : own, must(reader.truth()));
+  markSessions(sessions, truth);
+  RunData data;
+  data.name = nameOf(reader);
+  data.odometry = since(own, must(reader.odometry()));
+  data.map = since(joint ? 0 : own, must(reader.map()));
+  markSessions(sessions, data.map);
+  data.graph = must(reader.graph());
+  takeOffBody(data, truth, settings);
+  return data;
+}
+
+template <class Work>
+auto answeredFor(const record::RunReader& reader, Work&& work) -> Result<decltype(work())> {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return Status::failed(reader.directory().string() + ": out of memory");
+  } catch (const std::exception& error) {
+    return Status::invalidInput(error.what());
+  }
+}
+
 }  // namespace
+
+Result<LoopRecord> readLoops(const record::RunReader& reader,
+                             const config::EvaluationSettings& settings) {
+  return answeredFor(reader, [&] {
+    evaluation::Trajectory truth;
+    (void)trajectoriesOf(reader, settings, truth);
+    return must(readLoops(reader, truth, settings.loop_height));
+  });
+}
 
 Result<RunData> readRun(const record::RunReader& reader, const config::EvaluationSettings& settings,
                         std::uint64_t seed) {
-  try {
-    const auto sessions = must(reader.sessions());
-    const std::int64_t own = sessions.empty() ? 0 : sessions.back().first_frame;
-    const bool joint = settings.sessions == config::SessionScope::Joint;
-    auto truth = since(joint ? 0 : own, must(reader.truth()));
-    markSessions(sessions, truth);
-    RunData data;
-    data.name = nameOf(reader);
-    data.odometry = since(own, must(reader.odometry()));
-    data.map = since(joint ? 0 : own, must(reader.map()));
-    markSessions(sessions, data.map);
-    data.graph = must(reader.graph());
-    takeOffBody(data, truth, settings);
+  return answeredFor(reader, [&] {
+    evaluation::Trajectory truth;
+    RunData data = trajectoriesOf(reader, settings, truth);
+    const std::int64_t own = data.odometry.empty() ? 0 : data.odometry.front().frame;
     const auto body = data.metrics.body;
     data.metrics = measure(reader, truth, data, settings);
     data.metrics.body = body;
@@ -315,12 +357,9 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
                                                 data.truth, scoresForCells(data, truth), seed);
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
     data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
+    data.loops = storiesOf(must(readLoops(reader, truth, settings.loop_height)));
     return data;
-  } catch (const std::bad_alloc&) {
-    return Status::failed(reader.directory().string() + ": out of memory");
-  } catch (const std::exception& error) {
-    return Status::invalidInput(error.what());
-  }
+  });
 }
 
 }  // namespace tolman::report

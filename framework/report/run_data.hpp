@@ -11,6 +11,7 @@
 #include "evaluation/step_series.hpp"
 #include "evaluation/trajectory.hpp"
 #include "record/run_reader.hpp"
+#include "report/loop_stories.hpp"
 
 namespace tolman::report {
 
@@ -32,12 +33,17 @@ struct RunData {
   MapGraph graph;
   evaluation::Metrics metrics;
   evaluation::CellHistory cells;
+  std::vector<LoopStory> loops;  ///< and near misses
   double metres = 1;       ///< metres per unit of the run; other than 1 only with Alignment::Sim3
   bool has_metres = true;  ///< false: the scale is unknown, and there is no truth to determine it
 
   /// The trajectory at which the activity of the cells is measured.
   const evaluation::Trajectory& places() const { return metrics.map.scores ? truth : map; }
 };
+
+/// The loops of a run, without its other figures.
+Result<LoopRecord> readLoops(const record::RunReader& reader,
+                             const config::EvaluationSettings& settings);
 
 /// InvalidInput if the record is damaged or empty. `seed`: seed of the run, for the scores by
 /// chance.

@@ -68,6 +68,33 @@ TEST_CASE("loop links between near places are true, others false") {
   CHECK(loopFigures(graph, {}, {}).true_links == 0);
 }
 
+TEST_CASE("a link with a measured pose is judged by the error of that pose, others by their ends") {
+  Trajectory truth = twoDrives();
+  truth[0].T_world_camera.linear() =  // the truth has orientations
+      Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const MapGraph graph = graphWith({{13, 2}});  // 10.2 m apart
+  CHECK(judgeLoops(graph, {}, truth).at(0).is_true == false);
+  PlaceObservation seen = view(130, 0, Recognition::Familiar);
+  seen.has_relative_pose = true;
+  seen.covariance = Matrix6d::Identity() * 0.04;  // 0.2 m
+  const auto judged = [&](double forward, double up) {
+    seen.T_template_current.translation() = Eigen::Vector3d(2, -up, forward);
+    return judgeLoops(graph, {view(20, 0, Recognition::Novel), seen}, truth, 1.5).at(0);
+  };
+  const JudgedLoop right = judged(10.4, 0);
+  CHECK(right.is_true == true);
+  CHECK(*right.error_m == Approx(0.4));
+  CHECK(*right.error_sigmas == Approx(2));
+  CHECK(*right.apart_m == Approx(std::hypot(10, 2)));
+  CHECK(right.frame == 130);
+  CHECK(right.earlier == 20);
+  CHECK(judged(8.5, 0).is_true == false);  // 1.5 m, 7.5 standard deviations
+  CHECK(judged(10, 2).is_true == false);   // another storey
+  seen.covariance = Matrix6d::Identity();  // it says how uncertain it is
+  CHECK(judged(8.5, 0).is_true == true);
+  CHECK(judged(-1, 0).is_true == false);  // 11 m
+}
+
 TEST_CASE("places of different storeys are different where heights count") {
   Trajectory truth = twoDrives();
   for (TrajectoryPose& pose : truth)

@@ -70,7 +70,9 @@ TEST_CASE("every record survives the round trip, bit by bit but for rotations") 
   checkRoundTrip<Frame>(random);
   checkRoundTrip<Motion>(random);
   checkRoundTrip<MotionRevision>(random);
+  checkRoundTrip<Candidate>(random);
   checkRoundTrip<PlaceObservation>(random);
+  checkRoundTrip<PlaceHypothesis>(random);
   checkRoundTrip<Decision>(random);
   checkRoundTrip<EarlierLoop>(random);
   checkRoundTrip<MapUpdate>(random);

@@ -105,7 +105,8 @@ TEST_CASE("rows refer to what exists: foreign keys by table") {
     }
     return text;
   };
-  for (const char* table : {"motion", "place", "decision", "map_update", "experience", "array"}) {
+  for (const char* table : {"motion", "place", "candidate", "decision", "hypothesis", "map_update",
+                            "experience", "array"}) {
     INFO(table);
     CHECK(keys(table) == "frame -> frame.frame; ");
   }

@@ -37,9 +37,9 @@ std::vector<std::string> fieldNames() {
 }  // namespace
 
 TEMPLATE_TEST_CASE("a record declares every member once, with a line of documentation", "", Frame,
-                   MotionRevision, Motion, PlaceObservation, EarlierLoop, Decision, Experience,
-                   Link, MapUpdate, MapGraph, NamedArray, ArrayAxis, ArrayInfo, Finding, SourceInfo,
-                   RawRig, RunInfo) {
+                   MotionRevision, Motion, Candidate, PlaceObservation, EarlierLoop,
+                   PlaceHypothesis, Decision, Experience, Link, MapUpdate, MapGraph, NamedArray,
+                   ArrayAxis, ArrayInfo, Finding, SourceInfo, RawRig, RunInfo) {
   const auto names = fieldNames<TestType>();
   CHECK(names.size() == memberCount<TestType>());
   CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());

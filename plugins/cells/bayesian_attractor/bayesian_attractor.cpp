@@ -85,6 +85,10 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
       for (ViewLink& other : storeys) state_->network.follow(calibrated, other.learned);
     }
   }
+  decision.hypotheses = state_->network.changes();
+  for (PlaceHypothesis& changed : decision.hypotheses) {
+    if (changed.id == calibrated.bump) changed.experience = link->experience;
+  }
   if (calibrated.accepted) {
     decision.earlier = state_->waiting.of(calibrated.bump, state_->network.state().travel);
   }

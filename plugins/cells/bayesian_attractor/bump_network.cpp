@@ -54,6 +54,7 @@ BumpNetwork::BumpNetwork(const NetworkSettings& settings)
 
 void BumpNetwork::integrate(const PlanarPose& reported_step, const Eigen::Matrix3d& reported,
                             const Climb& climb, double seconds) {
+  changes_.clear();
   PathErrors errors;
   PlanarPose step = reported_step;
   double factor = 1;
@@ -85,7 +86,15 @@ void BumpNetwork::integrate(const PlanarPose& reported_step, const Eigen::Matrix
   const Eigen::Vector2d here = code_.difference(code_.origin(), state_.integrator.centre).head<2>();
   state_.explored_min = state_.explored_min.cwiseMin(here);
   state_.explored_max = state_.explored_max.cwiseMax(here);
+  for (const CalibrationBump& c : state_.calibration) {
+    if (c.energy < kMinEnergy) note(c, Fate::Faded);
+  }
   std::erase_if(state_.calibration, [](const CalibrationBump& c) { return c.energy < kMinEnergy; });
+}
+
+void BumpNetwork::note(const CalibrationBump& bump, Fate fate, double change) {
+  changes_.push_back({bump.id, fate, -1, bump.energy, change, share(bump.energy),
+                      settings_.threshold, bump.views, state_.travel - bump.last_injection_travel});
 }
 
 /// Adds a hypothesis. Of more than kMaxBumps the weakest is removed; null if that is the new one.
@@ -94,6 +103,7 @@ CalibrationBump* BumpNetwork::insertBump(const CalibrationBump& bump) {
   if (bumps.size() == kMaxBumps) {
     const auto weakest = std::ranges::min_element(bumps, {}, &CalibrationBump::energy);
     if (weakest->energy >= bump.energy) return nullptr;
+    note(*weakest, Fate::Displaced);
     bumps.erase(weakest);
   }
   bumps.push_back(bump);
@@ -339,6 +349,8 @@ Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPos
   ++state_.views;
   double log_density = 0;
   CalibrationBump* bump = findAgreeingBump(seen, learned.part, log_density);
+  const Fate fate = bump != nullptr ? Fate::Grew : Fate::Born;
+  const double before = bump != nullptr ? bump->energy : 0;
   if (bump != nullptr) {
     const double fresh =
         std::min(1.0, (state_.travel - bump->last_injection_travel) / settings_.view_spacing);
@@ -348,15 +360,17 @@ Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPos
   } else {
     const double odds = std::log(shareOfRightViews() / (1 - shareOfRightViews()));
     const double energy = odds + settings_.injection * logRatioOfNewBump(learned, seen);
-    bump = insertBump({state_.bumps, seen, energy, learned.part, 0, 0});
+    bump = insertBump({state_.bumps, seen, energy, learned.part, 0, state_.travel});
     if (bump == nullptr) return {};
     ++state_.bumps;
   }
   ++bump->views;
+  const bool wins = share(bump->energy) > settings_.threshold;
+  note(*bump, wins ? Fate::Accepted : fate, bump->energy - before);
   bump->last_injection_travel = state_.travel;
   Recalibration result;
   result.bump = bump->id;
-  if (share(bump->energy) <= settings_.threshold) return result;
+  if (!wins) return result;
   const CalibrationBump winner = *bump;
   return accept(winner, learned);
 }
@@ -409,6 +423,9 @@ Recalibration BumpNetwork::accept(const CalibrationBump& winner, const LearnedPa
   state_.part = winner.part;
   ++state_.stretch;
   state_.right += winner.views;
+  for (const CalibrationBump& other : state_.calibration) {
+    if (other.id != winner.id) note(other, Fate::Displaced);
+  }
   state_.calibration.clear();
   return calibrated;
 }

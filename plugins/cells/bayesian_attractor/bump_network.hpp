@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tolman/records.hpp>
 #include <vector>
 
 #include "conjunctive_code.hpp"
@@ -135,6 +136,8 @@ class BumpNetwork {
   double share(double energy) const;
   const ConjunctiveCode& code() const { return code_; }
   const NetworkState& state() const { return state_; }
+  /// What became of hypotheses since integrate(), for explanations.
+  const std::vector<PlaceHypothesis>& changes() const { return changes_; }
   void restore(NetworkState state) { state_ = std::move(state); }
 
  private:
@@ -170,10 +173,12 @@ class BumpNetwork {
   void arriveAt(const Bump& bump, LearnedPattern learned, Recalibration& calibrated);
   Recalibration accept(const CalibrationBump& winner, const LearnedPattern& learned);
   CalibrationBump* insertBump(const CalibrationBump& bump);
+  void note(const CalibrationBump& bump, Fate fate, double change = 0);
 
   NetworkSettings settings_;
   ConjunctiveCode code_;
   NetworkState state_;
+  std::vector<PlaceHypothesis> changes_;
 };
 
 }  // namespace tolman::bayesian_attractor

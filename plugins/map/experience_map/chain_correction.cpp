@@ -285,16 +285,18 @@ void ExperienceChain::noteCalibration(const PoseGraph<G>& graph, BorderedSystem<
   calibration_.turning_sigma = std::sqrt(turning.dot(*covariance * turning));
 }
 
-/// Residuals of the accepted loops in the standard deviations that were assumed at first.
+/// Residuals of the loops in the standard deviations that were assumed at first.
 template <class G>
 void ExperienceChain::noteResiduals(const PoseGraph<G>& graph) {
   residuals_.clear();
-  for (std::size_t k = anchors_.size() - 1; k < graph.links.size(); ++k) {
+  std::size_t k = anchors_.size() - 1;
+  for (Anchor& anchor : anchors_) {
+    if (!anchor.visit) continue;
     const PoseLink<G>& loop = graph.links[k];
-    if (loop.weight < parameters_.min_loop_weight) continue;
     const StepOf<G> off = residualOf(loop, graph.nodes[loop.from], graph.nodes[loop.to]);
-    const double chi_square = off.dot(informationOf(graph.assumed[k]) * off);
-    residuals_.push_back(std::sqrt(chi_square * 3 / G::kSize));
+    const double chi_square = off.dot(informationOf(graph.assumed[k++]) * off);
+    anchor.residual = std::sqrt(chi_square * 3 / G::kSize);
+    if (loop.weight >= parameters_.min_loop_weight) residuals_.push_back(anchor.residual);
   }
 }
 

@@ -181,6 +181,7 @@ void ExperienceChain::graph(const DeadReckoning& path, MapGraph& graph) const {
   graph.experiences.clear();
   graph.links.clear();
   graph.rejected.clear();
+  graph.residuals.clear();
   graph.experiences.reserve(of_experience_.size());
   graph.links.reserve(static_cast<std::size_t>(links_));  // growing would take twice the memory
   for (const std::size_t i : of_experience_) {
@@ -199,6 +200,7 @@ void ExperienceChain::graph(const DeadReckoning& path, MapGraph& graph) const {
       graph.rejected.push_back(link.id);
     }
     graph.links.push_back(link);
+    if (!residuals_.empty()) graph.residuals.push_back(loop ? anchors_[i].residual : -1);
   }
 }
 

@@ -40,6 +40,7 @@ struct Anchor {
   UncertainPose offset;  ///< of a visit: T_experience_anchor as given with the decision
   double offset_weight = 1;
   bool rejected = false;  ///< a visit whose loop the final correction has rejected
+  double residual = -1;   ///< of a visit's loop after the final correction, standard deviations
   /// T_world_camera = correction * T_start_camera of dead reckoning. In the plane it has no height,
   /// pitch and roll.
   Eigen::Isometry3d correction = Eigen::Isometry3d::Identity();

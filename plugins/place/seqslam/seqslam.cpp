@@ -52,6 +52,12 @@ Status SeqSlam::observe(const Frame& frame, const Motion* /*motion*/,
   compare(view);
   const auto best = search_->best(columns_, candidates());
   observation.score = quotientOf(best);
+  if (best) {
+    Candidate& candidate = observation.candidates.emplace_back();
+    candidate.template_id = best->end;
+    candidate.score = observation.score;
+    candidate.limit = parameters_.quotient;
+  }
   if (best && observation.score <= parameters_.quotient) {
     observation.recognition = Recognition::Familiar;
     observation.template_id = best->end;

@@ -223,8 +223,9 @@ Result<std::optional<landmarks::MeasuredPose>> PlaceVerifier::locate(std::int64_
   constexpr double kInflation = 1.5;
   const auto stored = store_.read(view);
   if (!stored.isOk()) return stored.status();
-  auto pose = landmarks::poseOf(landmarks::findAgain(stored.value().corners, corners()),
-                                rig_.pinhole, settings_.least_agreeing, corners().sigma);
+  auto pose =
+      landmarks::poseOf(landmarks::findAgain(stored.value().corners, corners()), rig_.pinhole,
+                        settings_.least_agreeing, corners().sigma, &agreement_);
   if (pose) pose->covariance *= kInflation * kInflation;
   return pose;
 }

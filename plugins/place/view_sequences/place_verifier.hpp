@@ -110,6 +110,9 @@ class PlaceVerifier {
   /// from nearly the same direction.
   Result<std::optional<landmarks::MeasuredPose>> locateByEdges(std::int64_t view);
 
+  /// Of the last call of locate().
+  const landmarks::Agreement& agreement() const { return agreement_; }
+
   Status save(StateWriter& writer) const { return store_.save(writer); }
   Status load(StateReader& reader, std::int64_t views) { return store_.load(reader, views); }
 
@@ -127,6 +130,7 @@ class PlaceVerifier {
   landmarks::EdgeMap edges_;                          ///< as corners_
   bool has_edges_ = false;                            ///< whether edges_ are of the frame
   std::optional<landmarks::EdgeSearch> edge_search_;  ///< as corners_
+  landmarks::Agreement agreement_;
 };
 
 }  // namespace tolman::view_sequences

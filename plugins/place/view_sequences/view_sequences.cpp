@@ -135,9 +135,12 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   const double probability = found.empty() ? 0 : found.front().probability;
   observation.score = 1 - probability;
   const bool likely = probability >= kTried;
+  agreement_ = {};
+  explain(found, observation);
   if (likely && since_measured_ < parameters_.landmark_spacing) return Status::ok();
   const auto place = verified(found);
   if (!place.isOk()) return place.status();
+  explain(found, observation);
   if (place.value()) {
     recognise(*place.value(), query, image_width, observation);
   } else if (probability >= parameters_.probability) {
@@ -147,6 +150,23 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
     return store(step, observation);
   }
   return Status::ok();
+}
+
+void ViewSequences::explain(const std::vector<PlaceCandidate>& found,
+                            PlaceObservation& observation) const {
+  observation.candidates.clear();
+  if (found.empty()) return;
+  Candidate& best = observation.candidates.emplace_back();
+  best.template_id = found.front().view;
+  best.score = 1 - found.front().probability;
+  best.limit = 1 - parameters_.probability;
+  best.agreeing = agreement_.agreeing;
+  best.compared = agreement_.compared;
+  best.needed = agreement_.needed;
+  if (since_measured_ > 0 && since_measured_ < kNever && agreement_.compared < 0 &&
+      found.front().probability >= kTried) {
+    best.reason = "landmarks were measured " + std::to_string(since_measured_) + " steps ago";
+  }
 }
 
 /// The place whose landmarks agree on a pose near it: by their corners, and if these give no pose,
@@ -175,6 +195,7 @@ Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verifiedBy(
     if (!view) continue;
     auto pose = ((*verifier_).*locate)(*view);
     if (!pose.isOk()) return pose.status();
+    if (agreement_.compared < 0) agreement_ = verifier_->agreement();
     if (!pose.value()) continue;
     const landmarks::MeasuredPose& measured = *pose.value();
     if (measured.T_template_current.translation().norm() > kFarthestPose) continue;

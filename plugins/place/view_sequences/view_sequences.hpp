@@ -56,6 +56,7 @@ class ViewSequences final : public Place,
   Status answer(const PathStep& step, const ViewQuery& query, int image_width,
                 PlaceObservation& observation);
   using Locate = Result<std::optional<landmarks::MeasuredPose>> (PlaceVerifier::*)(std::int64_t);
+  void explain(const std::vector<PlaceCandidate>& found, PlaceObservation& observation) const;
   Result<std::optional<VerifiedView>> verified(const std::vector<PlaceCandidate>& candidates);
   Result<std::optional<VerifiedView>> verifiedBy(Locate locate,
                                                  const std::vector<PlaceCandidate>& candidates);
@@ -75,6 +76,7 @@ class ViewSequences final : public Place,
   std::unique_ptr<BackwardPlaces> backwards_;
   MeanView mean_;
   PackedView current_{};
+  landmarks::Agreement agreement_;         ///< with the most probable place; for explanations
   std::int64_t at_ = -1;                   ///< stored view of the last answer in the present
                                            ///< direction; -1 after a break
   bool at_is_new_ = false;                 ///< whether the last answer stored it

@@ -49,10 +49,11 @@ bool LandmarkMemory::hasEnough(std::int64_t id) const {
   return static_cast<int>(templates_[static_cast<std::size_t>(id)].points.size()) >= least_;
 }
 
-std::optional<MeasuredPose> LandmarkMemory::locate(const Frame& frame, std::int64_t id) {
+std::optional<MeasuredPose> LandmarkMemory::locate(const Frame& frame, std::int64_t id,
+                                                   landmarks::Agreement& agreement) {
   const Landmarks& landmarks = templates_[static_cast<std::size_t>(id)];
   const Corners& corners = cornersOf(frame);
-  return poseOf(findAgain(landmarks, corners), rig_.pinhole, least_, corners.sigma);
+  return poseOf(findAgain(landmarks, corners), rig_.pinhole, least_, corners.sigma, &agreement);
 }
 
 void LandmarkMemory::save(StateWriter& writer) const {

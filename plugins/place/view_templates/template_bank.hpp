@@ -71,7 +71,8 @@ class LandmarkMemory {
   /// Whether template `id` has enough landmarks to be recognised by them.
   bool hasEnough(std::int64_t id) const;
   /// Pose of the camera relative to template `id`; empty if too few landmarks agree.
-  std::optional<landmarks::MeasuredPose> locate(const Frame& frame, std::int64_t id);
+  std::optional<landmarks::MeasuredPose> locate(const Frame& frame, std::int64_t id,
+                                                landmarks::Agreement& agreement);
 
   void save(StateWriter& writer) const;
   /// False when the state is damaged.

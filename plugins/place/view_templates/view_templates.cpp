@@ -97,9 +97,18 @@ Status ViewTemplates::observe(const Frame& frame, const Motion* /*motion*/,
 bool ViewTemplates::recognise(const Frame& frame, PlaceObservation& observation) {
   const TemplateMatch match = matcher_->nearest(view_, *bank_);
   observation.score = match.distance;
-  if (match.id < 0 || match.distance > parameters_.threshold) return false;
+  if (match.id < 0) return false;
+  Candidate& best = observation.candidates.emplace_back();
+  best.template_id = match.id;
+  best.score = match.distance;
+  best.limit = parameters_.threshold;
+  if (match.distance > parameters_.threshold) return false;
   if (landmarks_ && landmarks_->hasEnough(match.id)) {
-    const std::optional<landmarks::MeasuredPose> measured = landmarks_->locate(frame, match.id);
+    landmarks::Agreement agreement;
+    const auto measured = landmarks_->locate(frame, match.id, agreement);
+    best.agreeing = agreement.agreeing;
+    best.compared = agreement.compared;
+    best.needed = agreement.needed;
     if (!measured) return false;  // another place of similar appearance
     observation.has_relative_pose = true;
     observation.T_template_current = measured->T_template_current;

@@ -99,7 +99,9 @@ std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& 
 }
 
 std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
-                                   const Pinhole& pinhole, int least, double sigma) {
+                                   const Pinhole& pinhole, int least, double sigma,
+                                   Agreement* agreement) {
+  if (agreement != nullptr) *agreement = {0, static_cast<int>(matches.size()), least};
   if (static_cast<int>(matches.size()) < least) return std::nullopt;
   const std::optional<Eigen::Isometry3d> start = consensus(matches, pinhole, least, sigma);
   if (!start) return std::nullopt;
@@ -112,6 +114,7 @@ std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
         normalised(measured.T_template_current * expSe3(Vector6d(normal.H.ldlt().solve(normal.b))));
     normal = poseEquationsOf(matches, pinhole, measured.T_template_current, sigma);
   }
+  if (agreement != nullptr) agreement->agreeing = normal.inliers;
   if (normal.inliers < least) return std::nullopt;
   measured.inliers = normal.inliers;
   measured.covariance = normal.H.ldlt().solve(Matrix6d::Identity());

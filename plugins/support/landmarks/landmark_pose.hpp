@@ -27,8 +27,16 @@ struct MeasuredPose {
 /// Matches each landmark to the corner with the nearest descriptor; ambiguous matches are left out.
 std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& corners);
 
+/// How many landmarks agreed on a pose, of how many that were found again, and how many must.
+struct Agreement {
+  int agreeing = -1;  ///< -1: none were compared
+  int compared = -1;
+  int needed = -1;
+};
+
 /// Empty if fewer than `least` matches agree. `sigma`: standard deviation of a matched pixel, px.
 std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
-                                   const Pinhole& pinhole, int least, double sigma);
+                                   const Pinhole& pinhole, int least, double sigma,
+                                   Agreement* agreement = nullptr);
 
 }  // namespace tolman::landmarks

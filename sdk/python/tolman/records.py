@@ -78,6 +78,19 @@ class Motion:
 
 
 @dataclass(slots=True)
+class Candidate:
+    """A place that a recogniser considered; for explanations."""
+
+    template_id: int = -1
+    score: float = 0.0
+    limit: float = 0.0
+    agreeing: int = -1  # landmarks
+    compared: int = -1
+    needed: int = -1
+    reason: str = ""
+
+
+@dataclass(slots=True)
 class PlaceObservation:
     """Answer of place recognition."""
 
@@ -90,6 +103,7 @@ class PlaceObservation:
     has_relative_pose: bool = False
     T_template_current: np.ndarray = _pose()
     covariance: np.ndarray = _covariance()
+    candidates: list = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -100,6 +114,21 @@ class EarlierLoop:
     experience: int = -1
     T_experience_camera: np.ndarray = _pose()
     covariance: np.ndarray = _covariance()
+
+
+@dataclass(slots=True)
+class PlaceHypothesis:
+    """A place at which the cells suppose the robot to be, at a frame that changed it; for explanations."""
+
+    id: int = -1
+    fate: str = "born"  # or grew, accepted, faded, displaced
+    experience: int = -1
+    energy: float = 0.0  # nats
+    change: float = 0.0  # nats
+    share: float = 0.0
+    limit: float = 0.0
+    views: int = 0
+    unsupported: float = 0.0  # m
 
 
 @dataclass(slots=True)
@@ -118,6 +147,7 @@ class Decision:
     heading: float = 0.0  # rad in [0, 2 pi), positive to the left
     confidence: float = 1.0
     earlier: list = field(default_factory=list)
+    hypotheses: list = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -253,7 +283,8 @@ class Snapshot:
 # By the names of the records in tolman/fields.hpp.
 BY_NAME = {
     "camera": CameraRig, "frame": Frame, "motion_revision": MotionRevision, "motion": Motion,
-    "place": PlaceObservation, "earlier_loop": EarlierLoop, "decision": Decision, "experience": Experience,
+    "candidate": Candidate, "place": PlaceObservation, "earlier_loop": EarlierLoop,
+    "hypothesis": PlaceHypothesis, "decision": Decision, "experience": Experience,
     "link": Link, "map_update": MapUpdate, "map_graph": MapGraph, "finding": Finding, "source_info": SourceInfo,
     "run_event": RunEvent, "array_axis": ArrayAxis, "array_info": ArrayInfo, "run_info": RunInfo,
     "snapshot": Snapshot,

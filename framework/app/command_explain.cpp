@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman explain: why a loop was closed, rejected or missed, from the record of a run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/options.hpp"
+#include "engine/replay_server.hpp"
+#include "engine/results.hpp"
+#include "engine/services.hpp"
+#include "record/atomic_file.hpp"
+#include "report/raster.hpp"
+#include "report/run_data.hpp"
+
+namespace tolman::app {
+namespace {
+
+using report::LoopStory;
+
+struct ExplainCommand {
+  std::string run;
+  std::int64_t frame = -1;
+  std::size_t loop = 0;  ///< counted from 1; 0: not given
+  bool no_images = false;
+};
+
+std::string listText(const std::vector<LoopStory>& stories) {
+  constexpr std::array<int, 9> kWidths = {7, 7, 24, 18, 18, 15, 6, 11, 4};
+  const auto line = [&](const std::string& number, const std::vector<std::string>& cells) {
+    std::string text = fmt::format("{:>4}", number);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      text += fmt::format("  {:>{}}", cells[i], kWidths.at(i));
+    }
+    return text + "\n";
+  };
+  if (stories.empty()) return "no loop was closed, and none was near\n";
+  std::string text = line("loop", report::storyHeadings());
+  for (std::size_t i = 0; i < stories.size(); ++i) {
+    text += line(std::to_string(i + 1), stories[i].cells());
+  }
+  return text;
+}
+
+/// Writes both views side by side to figures/loop-FRAME.png; what is said about it.
+std::string picture(const LoopStory& story, const ExplainCommand& command,
+                    const record::RunReader& reader, const Invocation& invocation) {
+  if (command.no_images || story.earlier < 0) return "";
+  const engine::Interrupts interrupts;
+  const engine::SteadyClock clock;
+  engine::RecordedImages images(command.run, invocation.plugin_paths, clock, interrupts);
+  std::array<Frame, 2> views;
+  const std::array<std::int64_t, 2> numbers = {story.earlier, story.frame};
+  for (std::size_t i = 0; i < 2; ++i) {
+    record::forEachRow<Frame>(reader.database(), "WHERE \"frame\" = " + std::to_string(numbers[i]),
+                              [&](const Frame& frame) { views[i] = frame; });
+    images.restore(views[i]);
+  }
+  if (!images.problem().empty()) return "without pictures: " + images.problem();
+  const std::string figure = report::pairFigure(story, views[0].left, views[1].left);
+  if (figure.empty()) return "without pictures: the source has no images of these frames";
+  const std::filesystem::path file =
+      reader.directory() / "figures" / fmt::format("loop-{}.png", story.frame);
+  std::error_code ignored;  // writing fails with a better message
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  failUnless(record::writeAtomically(file, valueOf(report::pngOf(figure, 1))));
+  return file.string();
+}
+
+void explain(const ExplainCommand& command, const Invocation& invocation) {
+  const auto reader = valueOf(record::RunReader::open(command.run));
+  const report::LoopRecord record =
+      valueOf(report::readLoops(*reader, engine::configOf(command.run).evaluation));
+  std::optional<LoopStory> story;
+  if (command.frame >= 0) {
+    story = report::storyOf(record, command.frame);
+    if (!story) fail(ExitCode::Usage, fmt::format("the run has no frame {}", command.frame));
+  } else {
+    const std::vector<LoopStory> stories = report::storiesOf(record);
+    if (command.loop == 0) {
+      nlohmann::ordered_json list = nlohmann::ordered_json::array();
+      for (const LoopStory& each : stories) list.push_back(each.json());
+      std::cout << (invocation.json ? jsonText({{"loops", list}}) : listText(stories));
+      return;
+    }
+    if (command.loop > stories.size()) {
+      fail(ExitCode::Usage, fmt::format("the run has {} loops and near misses; `tolman explain {}` "
+                                        "lists them",
+                                        stories.size(), command.run));
+    }
+    story = stories[command.loop - 1];
+  }
+  const std::string written = picture(*story, command, *reader, invocation);
+  if (invocation.json) {
+    nlohmann::ordered_json json = story->json();
+    json["picture"] = written;
+    std::cout << jsonText(json);
+  } else {
+    std::cout << story->text() << "\n" << (written.empty() ? "" : written + "\n");
+  }
+}
+
+}  // namespace
+
+void addExplainCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App& command = *app.add_subcommand(
+      "explain", "Why loops of a run were closed, rejected or missed: a list, or one of them");
+  auto options = std::make_shared<ExplainCommand>();
+  addArgument(command, "run", options->run, "RUN", "Run directory");
+  CLI::Option* frame =
+      addOption(command, "--frame", options->frame, "N",
+                "Explain what happened at this frame, with both views in figures/loop-N.png")
+          ->check(notNegative);
+  addOption(command, "--loop", options->loop, "K", "Explain the K-th loop of the list")
+      ->check(positive)
+      ->excludes(frame);
+  command.add_flag("--no-images", options->no_images,
+                   "Do not read the images of the run's source again");
+  command.callback([options, &invocation] { explain(*options, invocation); });
+}
+
+}  // namespace tolman::app
