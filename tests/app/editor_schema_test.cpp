@@ -77,7 +77,7 @@ TEST_CASE("what the host refuses does not fit the schema, at the same place") {
   }
   const std::string demo = readText(kSource / "configs/demo.yaml");
   const std::pair<std::string, std::string> broken[] = {
-      {replaced(demo, "plugin: view_templates", "plugin: view_tempates"), "$.place.plugin: "},
+      {replaced(demo, "plugin: view_sequences", "plugin: view_sequnces"), "$.place.plugin: "},
       {replaced(demo, "route: block", "ruote: block"), "'ruote' was unexpected"},
       {replaced(demo, "scale: 0.5", "scale: 50"), "$.source.scale: 50 is greater than the maximum"},
       {replaced(demo, "scale: 0.5", "scale: half"), "$.source.scale: 'half' does not match"},
@@ -107,7 +107,7 @@ TEST_CASE("what the host takes fits, also where files and environment complete i
        {std::string("extends: demo.yaml\nsource: {scale: 1}\n"),
         std::string("extends: [a.yaml, b.yaml]\nsource: {plugin: kitti}\nmap: {name: mine}\n"),
         replaced(demo, "scale: 0.5", "scale: ${SCALE:-0.5}"),
-        replaced(demo, "view_templates", "${PLACE:-view_templates}"),
+        replaced(demo, "view_sequences", "${PLACE:-view_sequences}"),
         demo + "evaluation: {segments: [5, 10]}\n", replaced(demo, "name: demo", "name: 06")}) {
     const Finished judged = editor.judgeText(text);
     INFO(text << "\n" << judged.out << judged.err);

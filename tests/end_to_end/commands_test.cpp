@@ -341,3 +341,22 @@ TEST_CASE("docs/reference/plugins.md is up to date (scripts/generate-reference)"
     CHECK(contains(page, tolman::test::tolman({"plugins", "describe", id, "--markdown"}).out));
   }
 }
+
+TEST_CASE("explain lists loops and near misses, and a frame with both views") {
+  TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 12);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const auto out = folder.path() / "run";
+  REQUIRE(tolman::test::tolman(tinyRun(config, out)).exit_code == 0);
+  const Finished list = tolman::test::tolman({"explain", out.string(), "--json"});
+  INFO(list.err);
+  REQUIRE(list.exit_code == 0);
+  CHECK(nlohmann::json::parse(list.out)["loops"].is_array());
+  const Finished frame = tolman::test::tolman({"explain", out.string(), "--frame", "11"});
+  CHECK(frame.exit_code == 0);
+  CHECK(frame.out.starts_with("Frame 11 closes no loop, and none was near. Place recognition "));
+  const bool drawn = contains(frame.out, (out / "figures/loop-11.png").string());
+  CHECK(drawn == std::filesystem::exists(out / "figures/loop-11.png"));
+  CHECK(tolman::test::tolman({"explain", out.string(), "--frame", "12"}).exit_code == 2);
+  CHECK(tolman::test::tolman({"explain", out.string(), "--loop", "99"}).exit_code == 2);
+}
