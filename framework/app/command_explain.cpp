@@ -49,15 +49,9 @@ std::string picture(const LoopStory& story, const ExplainCommand& command,
   const engine::Interrupts interrupts;
   const engine::SteadyClock clock;
   engine::RecordedImages images(command.run, invocation.plugin_paths, clock, interrupts);
-  std::array<Frame, 2> views;
-  const std::array<std::int64_t, 2> numbers = {story.earlier, story.frame};
-  for (std::size_t i = 0; i < 2; ++i) {
-    record::forEachRow<Frame>(reader.database(), "WHERE \"frame\" = " + std::to_string(numbers[i]),
-                              [&](const Frame& frame) { views[i] = frame; });
-    images.restore(views[i]);
-  }
+  auto views = images.views(reader, {story.earlier, story.frame});
   if (!images.problem().empty()) return "without pictures: " + images.problem();
-  const std::string figure = report::pairFigure(story, views[0].left, views[1].left);
+  const std::string figure = report::pairFigure(story, views[story.earlier], views[story.frame]);
   if (figure.empty()) return "without pictures: the source has no images of these frames";
   const std::filesystem::path file =
       reader.directory() / "figures" / fmt::format("loop-{}.png", story.frame);

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <iostream>
+#include <optional>
 
 #include "app/options.hpp"
 #include "app/program.hpp"
@@ -37,6 +38,7 @@ struct ReportCommand {
   Output out;
   std::size_t head_direction = 1;  ///< rows, columns and units are counted from 1
   std::vector<std::size_t> grid{1, 1};
+  bool images = false;
 };
 
 void report(const ReportCommand& command, const Invocation& invocation) {
@@ -51,7 +53,19 @@ void report(const ReportCommand& command, const Invocation& invocation) {
   }
   const report::UnitChoice units{command.head_direction - 1, command.grid[0] - 1,
                                  command.grid[1] - 1};
-  printFiles(valueOf(engine::writeReport(readers, folder, units)), invocation);
+  const engine::SteadyClock clock;
+  std::optional<engine::Interrupts> interrupts;
+  engine::ViewsOfRun views;
+  if (command.images) {
+    interrupts.emplace();
+    views = [&](const record::RunReader& run, const std::set<std::int64_t>& frames) {
+      engine::RecordedImages images(run.directory(), invocation.plugin_paths, clock, *interrupts);
+      auto found = images.views(run, frames);
+      if (!images.problem().empty()) std::cerr << "without views: " << images.problem() << "\n";
+      return found;
+    };
+  }
+  printFiles(valueOf(engine::writeReport(readers, folder, units, views)), invocation);
 }
 
 struct ExportCommand {
@@ -174,6 +188,8 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
               "Run directories; several are shown side by side");
   options->out.add(command, "FOLDER", "Folder to write to (default: the first run directory)",
                    "Replace the report that the --out folder holds");
+  command.add_flag("--images", options->images,
+                   "Both views of the first loops; reads the images of the run's source again");
   addOption(command, "--hd-unit", options->head_direction, "N",
             "Head direction unit whose firing rate is drawn, counted from 1 (default: 1)")
       ->check(CLI::Range(std::size_t{1}, kMaxUnits));

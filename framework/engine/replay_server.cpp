@@ -67,6 +67,21 @@ void RecordedImages::restore(Frame& recorded) {
   recorded.right = next_.right;
 }
 
+std::map<std::int64_t, Image> RecordedImages::views(const record::RunReader& reader,
+                                                    const std::set<std::int64_t>& frames) {
+  std::map<std::int64_t, Image> views;
+  record::RowsOf<Frame> rows(reader.database(), "WHERE \"frame\" = ?");
+  for (const std::int64_t frame : frames) {
+    rows.each(
+        [&](Frame recorded) {
+          restore(recorded);
+          if (!recorded.left.empty()) views[frame] = recorded.left;
+        },
+        frame);
+  }
+  return views;
+}
+
 void RecordedImages::end(const std::string& problem) {
   problem_ = problem.substr(0, problem.find('\n'));
   assembly_.reset();

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "engine/assembly.hpp"
@@ -24,6 +26,9 @@ class RecordedImages {
   /// Adds the images to a recorded frame. Frames must come in order. After the first frame that
   /// does not match the source no more images are added.
   void restore(Frame& recorded);
+  /// The left images of recorded frames, as far as there are any.
+  std::map<std::int64_t, Image> views(const record::RunReader& reader,
+                                      const std::set<std::int64_t>& frames);
   /// Why there are no images; empty while there are images.
   const std::string& problem() const { return problem_; }
 

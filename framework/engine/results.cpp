@@ -39,6 +39,22 @@ Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitC
   return page;
 }
 
+/// Both views of the first loops and near misses.
+void addLoopViews(report::RunPage& page, const record::RunReader& run, const ViewsOfRun& viewsOf) {
+  constexpr std::size_t kMost = 12;  // bounds the size of the page
+  std::vector<report::LoopStory> stories = page.data.loops;
+  std::erase_if(stories, [](const report::LoopStory& story) { return story.earlier < 0; });
+  if (stories.size() > kMost) stories.resize(kMost);
+  std::set<std::int64_t> frames;
+  for (const report::LoopStory& story : stories) frames.insert({story.earlier, story.frame});
+  std::map<std::int64_t, Image> views = viewsOf(run, frames);
+  for (const report::LoopStory& story : stories) {
+    std::string pair = report::pairFigure(story, views[story.earlier], views[story.frame]);
+    if (pair.empty()) continue;
+    page.figures.push_back({"loop-" + std::to_string(story.frame), story.text(), std::move(pair)});
+  }
+}
+
 /// The files of a report. They are written together, when all are made.
 class ReportFiles {
  public:
@@ -175,7 +191,7 @@ std::vector<std::string> distinctNames(const std::vector<fs::path>& runs) {
 
 Result<std::vector<fs::path>> writeReport(
     const std::vector<std::unique_ptr<record::RunReader>>& runs, const fs::path& folder,
-    const report::UnitChoice& units) {
+    const report::UnitChoice& units, const ViewsOfRun& views) {
   std::vector<report::RunPage> pages;
   std::vector<fs::path> directories;
   directories.reserve(runs.size());
@@ -185,6 +201,7 @@ Result<std::vector<fs::path>> writeReport(
     auto page = pageOf(*runs[i], units);
     if (!page.isOk()) return page.status();
     page.value().directory = names[i];
+    if (views) addLoopViews(page.value(), *runs[i], views);
     pages.push_back(std::move(page).value());
   }
   ReportFiles files(folder);

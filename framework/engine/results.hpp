@@ -4,7 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,13 +33,18 @@ struct Results {
 Result<Results> writeResults(const std::filesystem::path& directory,
                              const config::EvaluationSettings& settings, std::uint64_t seed);
 
+/// The left images of frames of a run, for the pictures of its loops.
+using ViewsOfRun = std::function<std::map<std::int64_t, Image>(const record::RunReader&,
+                                                               const std::set<std::int64_t>&)>;
+
 /// Writes report.html, figures/*.svg and *.png, and figures/neurons.json into `folder`, each
 /// atomically; with several runs the figures go to figures/RUN. Each run is evaluated by the
 /// settings in its own resolved configuration. Returns the files, the page first. InvalidParameter
 /// if a run does not have the chosen units.
 Result<std::vector<std::filesystem::path>> writeReport(
     const std::vector<std::unique_ptr<record::RunReader>>& runs,
-    const std::filesystem::path& folder, const report::UnitChoice& units = {});
+    const std::filesystem::path& folder, const report::UnitChoice& units = {},
+    const ViewsOfRun& views = {});
 
 /// The same for one run whose record has been read already: writes into the directory of the run,
 /// and no PNG files. `run_file`: text of the run.json that will be written after the report.
