@@ -183,7 +183,13 @@ Status RunListener::onFrame(const Snapshot& snapshot) {
 void RunListener::onEvent(const Event& event) {
   const std::lock_guard lock(events_mutex_);
   Repeated& kind = kinds_[event.source + ": " + withoutNumbers(event.message)];
+  constexpr int kNamed = 8;  // frames that the repetition names
   if (kind.count++ == 0) kind.first = event;
+  if (kind.count > 1 && kind.count <= kNamed + 1) {
+    kind.frames += fmt::format("{}{}", kind.frames.empty() ? "" : ", ", event.frame);
+  } else if (kind.count == kNamed + 2) {
+    kind.frames += ", ...";
+  }
   const bool is_shown = event.level != LogLevel::Error && kind.count == 1;
   log_.write(event.level, event.source, event.message, is_shown);
   (void)recorder_.event(event.frame, event.level, event.source, event.message);
@@ -211,7 +217,8 @@ void RunListener::reportRepeated() {
   for (const auto& [text, kind] : kinds_) {
     if (kind.count == 1 || kind.first.level != LogLevel::Warning) continue;
     log_.write(LogLevel::Warning, kind.first.source,
-               fmt::format("{} more as this one: {}", kind.count - 1, kind.first.message));
+               fmt::format("{} more as this one, at frames {}: {}", kind.count - 1, kind.frames,
+                           kind.first.message));
   }
 }
 

@@ -123,6 +123,7 @@ class RunListener : public Listener {
   struct Repeated {
     RunEvent first;
     int count = 0;
+    std::string frames{};  ///< of the next few, ", "-separated
   };
   std::map<std::string, Repeated> kinds_;  ///< of events, by source and text without numbers
   std::string failed_observer_;  ///< if set, observers are no longer called; recording goes on
