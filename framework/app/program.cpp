@@ -208,8 +208,8 @@ int runProgram(const std::vector<std::string>& command_line) {
   app.add_flag("-q,--quiet", invocation.quiet, "Only errors");
   for (const auto add :
        {addRunCommand, addCheckCommand, addPluginsCommand, addInitCommand, addDatasetCommand,
-        addBenchCommand, addEvalCommand, addExplainCommand, addExportCommand, addReportCommand, addViewCommand,
-        addPlanCommand, addSweepCommand, addCompareCommand, addRerunCommand}) {
+        addBenchCommand, addEvalCommand, addExplainCommand, addExportCommand, addReportCommand,
+        addViewCommand, addPlanCommand, addSweepCommand, addCompareCommand, addRerunCommand}) {
     add(app, invocation);
   }
   addWordCommands(app, invocation);

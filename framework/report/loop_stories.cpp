@@ -320,8 +320,7 @@ Result<LoopRecord> readLoops(const record::RunReader& reader, const evaluation::
   }
   LoopRecord record{places.value(),         decisions.value(),         {},
                     reader.graph().value(), reader.odometry().value(), scale.value()};
-  record.loops =
-      evaluation::judgeLoops(record.graph, record.places, truth, storey_height);
+  record.loops = evaluation::judgeLoops(record.graph, record.places, truth, storey_height);
   return record;
 }
 

@@ -140,30 +140,6 @@ enum class Recognition : std::uint8_t {
 inline constexpr std::array<std::string_view, 3> kRecognitionNames = {"none", "novel", "familiar"};
 constexpr std::span<const std::string_view> enumNames(Recognition) { return kRecognitionNames; }
 
-/// A place that a recogniser found most alike, whether or not it answers with it: for explanations
-/// alone, no stage depends on it.
-struct Candidate {
-  static constexpr const char* kRecord = "candidate";
-  std::int64_t template_id = -1;
-  double score = 0;            ///< as PlaceObservation::score
-  double limit = 0;            ///< the largest score of a familiar place
-  std::int64_t agreeing = -1;  ///< landmarks that agree on a pose; -1: none were compared
-  std::int64_t compared = -1;  ///< landmarks that were found again
-  std::int64_t needed = -1;    ///< fewest landmarks that must agree
-  std::string reason;          ///< why it is not the answer; empty where the numbers say it
-
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(template_id, "", "the template");
-    TOLMAN_FIELD(score, "", "its distance, in the plugin's measure");
-    TOLMAN_FIELD(limit, "", "largest score of a familiar place");
-    TOLMAN_FIELD(agreeing, "", "landmarks that agree on a pose, -1 if none were compared");
-    TOLMAN_FIELD(compared, "", "landmarks that were found again");
-    TOLMAN_FIELD(needed, "", "fewest landmarks that must agree");
-    TOLMAN_FIELD(reason, "", "why it is not the answer; empty where the numbers say it");
-  }
-};
-
 /// Answer of place recognition for one frame.
 struct PlaceObservation {
   static constexpr const char* kRecord = "place";
@@ -220,41 +196,6 @@ struct EarlierLoop {
     TOLMAN_FIELD(T_experience_camera, "m",
                  "pose of the camera at that frame, in the coordinates of the experience");
     TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
-  }
-};
-
-/// What a frame did to a hypothesis of the cells.
-enum class Fate : std::uint8_t { Born, Grew, Accepted, Faded, Displaced };
-inline constexpr std::array<std::string_view, 5> kFateNames = {"born", "grew", "accepted", "faded",
-                                                               "displaced"};
-constexpr std::span<const std::string_view> enumNames(Fate) { return kFateNames; }
-
-/// A place at which the cells suppose the robot to be, at a frame that changed it. For explanations
-/// alone, no stage depends on it.
-struct PlaceHypothesis {
-  static constexpr const char* kRecord = "hypothesis";
-  std::int64_t id = -1;          ///< 0, 1, 2 ... in the order of creation
-  Fate fate = Fate::Born;        ///< born, grew: by a view; faded: without views for too long;
-                                 ///< displaced: by stronger ones
-  std::int64_t experience = -1;  ///< where the robot would be; -1: as before
-  double energy = 0;             ///< nats, after the change
-  double change = 0;             ///< nats, what the view added
-  double share = 0;              ///< of all hypotheses: its probability
-  double limit = 0;              ///< share above which it is accepted
-  std::int64_t views = 0;        ///< that supported it so far
-  double unsupported = 0;        ///< m driven since the view before
-
-  template <class Self, class Visit>
-  static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(id, "", "0, 1, 2 ... in the order of creation");
-    TOLMAN_FIELD(fate, "", "born, grew, accepted, faded or displaced");
-    TOLMAN_FIELD(experience, "", "where the robot would be, -1 for as before");
-    TOLMAN_FIELD(energy, "nats", "energy after the change");
-    TOLMAN_FIELD(change, "nats", "what the view of the frame added");
-    TOLMAN_FIELD(share, "", "its probability among all hypotheses");
-    TOLMAN_FIELD(limit, "", "share above which it is accepted");
-    TOLMAN_FIELD(views, "", "number of views that supported it so far");
-    TOLMAN_FIELD(unsupported, "m", "distance driven since the view before");
   }
 };
 
