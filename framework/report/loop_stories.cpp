@@ -19,6 +19,8 @@ constexpr double kJustDriven = 20;         // m; as RevisitRule::path_m
 constexpr double kJustDrivenShare = 0.04;  // of the path, where its scale is unknown
 constexpr std::int64_t kSameView = 20;     // frames: further candidates within tell the same story
 
+constexpr double kNearShare = 0.01;  // hypotheses that stay below were never near
+
 std::string number(double value) { return fmt::format("{:.3g}", value); }
 
 std::map<std::int64_t, HypothesisLife> livesOf(const std::vector<Decision>& decisions) {
@@ -101,7 +103,7 @@ class Stories {
   /// One of each hypothesis that was not accepted.
   void addUndecided(std::vector<LoopStory>& stories) const {
     for (const auto& [id, life] : lives_) {
-      if (life.end.fate == Fate::Accepted || life.last_view_frame < 0) continue;
+      if (life.end.fate == Fate::Accepted || life.best.share < kNearShare) continue;
       stories.push_back(at(life.last_view_frame));
       stories.back().hypothesis = life;
       stories.back().ending = Ending::Undecided;
@@ -164,11 +166,16 @@ std::string beginning(const LoopStory& story) {
       return fmt::format("Frame {} closes a loop{}.", story.frame, to);
     case Ending::Rejected:
       return fmt::format("Frame {} closed a loop{}, which the map rejected.", story.frame, to);
+    case Ending::Undecided:
+      if (story.hypothesis->end.fate != Fate::Accepted) break;
+      return fmt::format("Frame {} returned{}; a link so near the last one was not due.",
+                         story.frame, to);
     case Ending::Nothing:
       return fmt::format("Frame {} closes no loop, and none was near.", story.frame);
     default:
-      return fmt::format("Frame {} was not closed{}.", story.frame, to);
+      break;
   }
+  return fmt::format("Frame {} was not closed{}.", story.frame, to);
 }
 
 std::string placeText(const LoopStory& story) {

@@ -65,6 +65,10 @@ LoopRecord fourStories() {
   makeFamiliar(record, 81, 20);
   addChange(record, 81, 2, Fate::Grew, 0.62, 2, 1);
   addChange(record, 93, 2, Fate::Faded, 0.0003, 2, 12);
+  makeFamiliar(record, 71, 11);
+  addChange(record, 71, 3, Fate::Accepted, 0.99, 1, 0);  // no link
+  makeFamiliar(record, 85, 25);
+  addChange(record, 85, 4, Fate::Born, 1e-9, 1, 0);  // never near
   addCandidate(record, 95, 30, 0.29);
   addCandidate(record, 96, 30, 0.25);   // the same story, nearer to the limit
   addCandidate(record, 55, 45, 0.105);  // on the path just driven
@@ -105,6 +109,10 @@ TEST_CASE("every frame has its story, also where nothing happened") {
   const LoopRecord record = fourStories();
   CHECK(storyOf(record, 60)->text() ==
         "Frame 60 closes no loop, and none was near. Place recognition gave no answer.");
+  CHECK(
+      storyOf(record, 71)
+          ->text()
+          .starts_with("Frame 71 returned to frame 11; a link so near the last one was not due. "));
   CHECK(storyOf(record, 80)->ending == Ending::Undecided);
   CHECK(storyOf(record, 80)->hypothesis->best.share == 0.62);
   CHECK(storyOf(record, 70)->ending == Ending::Kept);
