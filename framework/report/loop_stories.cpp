@@ -243,6 +243,19 @@ std::string linkText(const LoopStory& story) {
   return text + ".";
 }
 
+template <Record R>
+Json jsonOf(const R& record) {
+  Json json;
+  visitFields(record, [&](const Field& field, const auto& value) {
+    if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>) {
+      json[std::string(field.name)] = enumName(value);
+    } else {
+      json[std::string(field.name)] = value;
+    }
+  });
+  return json;
+}
+
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 }  // namespace
@@ -284,23 +297,14 @@ Json LoopStory::json() const {
                {"ending", enumName(ending)},
                {"recognition", enumName(recognition)},
                {"text", text()}};
-  if (candidate) {
-    json["candidate"] = {{"template", candidate->template_id}, {"score", candidate->score},
-                         {"limit", candidate->limit},          {"agreeing", candidate->agreeing},
-                         {"compared", candidate->compared},    {"needed", candidate->needed},
-                         {"reason", candidate->reason}};
-  }
+  if (candidate) json["candidate"] = jsonOf(*candidate);
   if (hypothesis) {
-    json["hypothesis"] = {{"id", hypothesis->id},
-                          {"first_frame", hypothesis->first_frame},
-                          {"last_view_frame", hypothesis->last_view_frame},
-                          {"end_frame", hypothesis->end_frame},
-                          {"fate", enumName(hypothesis->end.fate)},
-                          {"share", hypothesis->best.share},
-                          {"limit", hypothesis->best.limit},
-                          {"energy", hypothesis->best.energy},
-                          {"views", hypothesis->best.views},
-                          {"unsupported", hypothesis->end.unsupported}};
+    Json& life = json["hypothesis"] = jsonOf(hypothesis->best);
+    life["fate"] = enumName(hypothesis->end.fate);
+    life["unsupported"] = hypothesis->end.unsupported;
+    life["first_frame"] = hypothesis->first_frame;
+    life["last_view_frame"] = hypothesis->last_view_frame;
+    life["end_frame"] = hypothesis->end_frame;
   }
   if (link) {
     json["link"] = {{"id", link->link},
