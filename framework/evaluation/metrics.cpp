@@ -247,8 +247,9 @@ std::vector<std::string> verdictsOf(const Metrics& metrics) {
   const auto& odometry = metrics.odometry;
   const auto& map = metrics.map;
   if (odometry.in_metres && metrics.frames > 1 && odometry.path_length_m < kStill) {
-    verdicts.push_back(
-        fmt::format("the camera did not move: its path is {:.3f} m", odometry.path_length_m));
+    verdicts.push_back(fmt::format(
+        "the camera did not move, or no motion was found: the path of odometry is {:.3f} m",
+        odometry.path_length_m));
   }
   const std::int64_t links = metrics.counts.loop_links;
   std::string loops = links == 0 ? "no loop was closed"

@@ -133,6 +133,30 @@ TEST_CASE("relative errors that have no pairs say why") {
   CHECK(toJson(score({}, truth, Alignment::Se3))["rpe"]["metre"]["reason"].is_null());
 }
 
+TEST_CASE("verdicts: false loops, a worse map, no motion, no place seen again") {
+  const Trajectory truth = test::straightPath(100);
+  Trajectory bent = truth;
+  for (auto& pose : bent) pose.T_world_camera.translation().x() += pose.frame % 2 == 0 ? 0.1 : -0.1;
+  Metrics metrics;
+  metrics.frames = 100;
+  metrics.odometry = metrics.map = score(truth, truth, Alignment::Se3);
+  CHECK(verdictsOf(metrics) == std::vector<std::string>{"no loop was closed"});
+  metrics.map = score(truth, bent, Alignment::Se3);
+  metrics.counts.loop_links = 5;
+  metrics.counts.rejected_loop_links = 1;
+  metrics.loops = LoopFigures{.true_links = 3, .false_links = 2};
+  metrics.returns = false;
+  const auto verdicts = verdictsOf(metrics);
+  REQUIRE(verdicts.size() == 3);
+  CHECK(verdicts[0] == "5 loop links, 2 of them FALSE; the map rejected 1");
+  CHECK(verdicts[1] == "the map is WORSE than its odometry: 0.100 m against 0.000 m");
+  CHECK(verdicts[2] ==
+        "this recording never returns to a place: cells and map cannot be compared on it");
+  metrics.odometry.path_length_m = 0.02;
+  CHECK(verdictsOf(metrics)[0] ==
+        "the camera did not move, or no motion was found: the path of odometry is 0.020 m");
+}
+
 TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {
   RandomStream random(4);
   Trajectory truth = test::wanderingPath(50, random);
