@@ -54,17 +54,13 @@ struct SweepProgress {
   std::size_t failed = 0;
   std::size_t lost = 0;     ///< runs of `done` that lost tracking
   std::size_t sharing = 0;  ///< runs in `todo` that take the answers of another run
-  std::size_t others = 0;   ///< runs in the folder that the file no longer lists
   double run_s = 0;         ///< mean duration of the runs that are done; 0 if none is
 };
 
-SweepProgress progressOf(const experiment::Plan& plan, const experiment::FrozenRuns& frozen,
-                         const fs::path& out, bool retry) {
+SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool retry) {
   SweepProgress progress;
-  std::vector<std::string> folders;
   double sum = 0;
   for (const PlannedRun& run : plan.runs) {
-    folders.push_back(run.folder);
     const auto outcome = experiment::outcomeOf(out / run.folder);
     if (outcome.state == PointState::Done) {
       ++progress.done;
@@ -78,12 +74,6 @@ SweepProgress progressOf(const experiment::Plan& plan, const experiment::FrozenR
     }
   }
   if (progress.done > 0) progress.run_s = sum / static_cast<double>(progress.done);
-  std::ranges::sort(folders);
-  for (const auto* runs : {&frozen.planned, &frozen.earlier}) {
-    for (const PlannedRun& run : *runs) {
-      if (!std::ranges::binary_search(folders, run.folder)) ++progress.others;
-    }
-  }
   return progress;
 }
 
@@ -132,7 +122,6 @@ void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
   text += row("to do", std::to_string(todo));
   add(progress.sharing, "shared",
       " of them take the answers of another run's front end, where there are images");
-  add(progress.others, "left", " runs in the folder are not in the file; they stay as they are");
   const double seconds =
       progress.run_s * static_cast<double>(todo) / static_cast<double>(command.jobs);
   if (todo > 0) {
@@ -222,7 +211,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (frozen.empty()) refuseExisting({out}, command.out.replace, "--out");
   const experiment::Plan plan = planOf(command, frozen, out, invocation);
   refuseInsideData(plan, out);
-  const SweepProgress progress = progressOf(plan, frozen, out, command.retry);
+  const SweepProgress progress = progressOf(plan, out, command.retry);
   printPlan(plan, progress, command, out, invocation);
   if (command.dry_run) return ExitCode::Ok;
   std::error_code error;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "evaluation/score.hpp"
-#include "evaluation/truth_sensor.hpp"
+#include "evaluation/step_series.hpp"
 
 namespace tolman::app {
 

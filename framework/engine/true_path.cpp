@@ -12,8 +12,8 @@
 
 #include "base/text_file.hpp"
 #include "evaluation/association.hpp"
+#include "evaluation/step_series.hpp"
 #include "evaluation/trajectory.hpp"
-#include "evaluation/truth_sensor.hpp"
 
 namespace tolman::engine {
 namespace {

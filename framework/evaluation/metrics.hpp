@@ -15,7 +15,7 @@
 #include "evaluation/loops.hpp"
 #include "evaluation/recorded_cells.hpp"
 #include "evaluation/score.hpp"
-#include "evaluation/truth_sensor.hpp"
+#include "evaluation/step_series.hpp"
 #include "tolman/records.hpp"
 
 namespace tolman::evaluation {

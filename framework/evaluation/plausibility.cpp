@@ -12,7 +12,6 @@
 #include "evaluation/errors.hpp"
 #include "evaluation/score.hpp"
 #include "evaluation/step_series.hpp"
-#include "evaluation/truth_sensor.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::evaluation {

@@ -284,6 +284,7 @@ class Planner {
     general["threads"] = threads;
     section("record") = record;
     run.config = config::resolvedYaml(system, values);
+    run.config_sha256 = record::textDigest(run.config);
   }
 
   /// Of several runs with the same front end, the first records its answers and the others replay

@@ -40,7 +40,7 @@ namespace {
 using config::Node;
 using NodePointer = std::shared_ptr<const Node>;
 
-/// Columns beside the factors in the table of csvOf() (run_table.hpp).
+/// Columns beside the factors in the table of csvOf() (comparison.hpp).
 constexpr std::array kTableColumns = {"name", "alignment", "truth_sha256", "results_sha256"};
 
 /// The label of a value: a scalar, the plugin of a stage, the values of a map, or a list in

@@ -21,67 +21,30 @@
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
 
+namespace tolman::record {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DataDigest, path, files, bytes, stamp, sha256)
+}
+
 namespace tolman::experiment {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Factor, name, label)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Inputs, host, plugins, data)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedRun, name, key, config_sha256, front_end_sha256, factors,
+                                   inputs, front_end_folder, answers_folder, keeps_answers,
+                                   is_front_end)
+NLOHMANN_JSON_SERIALIZE_ENUM(PointState, {{PointState::Failed, "failed"},
+                                          {PointState::Interrupted, "interrupted"},
+                                          {PointState::Done, "done"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PointOutcome, state, exit_code, message, wall_s, replayed)
 
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using PointJson = nlohmann::json;
 
-Json jsonOf(const record::DataDigest& data) {
-  return {{"path", data.path},
-          {"files", data.files},
-          {"bytes", data.bytes},
-          {"stamp", data.stamp},
-          {"sha256", data.sha256}};
-}
-
-Json jsonOf(const PlannedRun& run) {
-  Json factors = Json::object();
-  for (const Factor& factor : run.factors) factors[factor.name] = factor.label;
-  Json plugins = Json::object();
-  for (const auto& [file, digest] : run.inputs.plugins) plugins[file] = digest;
-  Json data = Json::array();
-  for (const record::DataDigest& one : run.inputs.data) data.push_back(jsonOf(one));
-  return {{"name", run.name},
-          {"key", run.key},
-          {"config_sha256", record::textDigest(run.config)},
-          {"front_end", run.front_end_sha256},
-          {"factors", factors},
-          {"host", run.inputs.host},
-          {"plugins", plugins},
-          {"data", data},
-          {"needs", run.front_end_folder},
-          {"replays", run.answers_folder},
-          {"shares", run.keeps_answers},
-          {"is_front_end", run.is_front_end}};
-}
-
-record::DataDigest digestOf(const Json& data) {
-  return {data.at("path"), data.at("files"), data.at("bytes"), data.at("stamp"), data.at("sha256")};
-}
-
-PlannedRun runOf(const Json& json, const std::string& folder) {
-  PlannedRun run;
-  run.folder = folder;
-  run.name = json.at("name");
-  run.key = json.at("key");
-  run.config_sha256 = json.at("config_sha256");
-  run.front_end_sha256 = json.at("front_end");
-  for (const auto& [name, label] : json.at("factors").items()) run.factors.push_back({name, label});
-  run.inputs.host = json.at("host");
-  for (const auto& [file, digest] : json.at("plugins").items()) run.inputs.plugins[file] = digest;
-  for (const Json& data : json.at("data")) run.inputs.data.push_back(digestOf(data));
-  run.front_end_folder = json.at("needs");
-  run.answers_folder = json.at("replays");
-  run.keeps_answers = json.at("shares");
-  run.is_front_end = json.at("is_front_end");
-  return run;
-}
-
-Json readJson(const fs::path& file) {
+PointJson readJson(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  return bounded_json::parse<Json>(stream);
+  return bounded_json::parse<PointJson>(stream);
 }
 
 }  // namespace
@@ -99,7 +62,7 @@ Status freeze(const fs::path& sweep, const std::vector<PlannedRun>& todo,
     fs::create_directories(folder, error);
     if (error) return Status::failed(folder.string() + ": " + error.message());
     write(folder / "config.yaml", run.config);
-    write(folder / "point.json", config::jsonText(jsonOf(run), 1) + "\n");
+    write(folder / "point.json", config::jsonText(PointJson(run), 1) + "\n");
   }
   std::string order;
   for (const PlannedRun& run : plan) order += run.folder + "\n";
@@ -110,8 +73,10 @@ Status freeze(const fs::path& sweep, const std::vector<PlannedRun>& todo,
 Result<PlannedRun> readPoint(const fs::path& folder) {
   const fs::path file = folder / "point.json";
   try {
-    return runOf(readJson(file), folder.filename().string());
-  } catch (const Json::exception&) {
+    auto run = readJson(file).get<PlannedRun>();
+    run.folder = folder.filename().string();
+    return run;
+  } catch (const PointJson::exception&) {
     return Status::invalidInput(
         file.string() + ": " +
         config::absence(file, "is missing or damaged; is this the folder of a run of a sweep?"));
@@ -148,14 +113,11 @@ PointOutcome outcomeOf(const fs::path& folder) {
   std::error_code ignored;
   if (fs::exists(file, ignored)) {
     try {  // values of other types are those of a failed run
-      const Json json = readJson(file);
-      const PointState state = config::valueNamed<PointState>(json.at("state").get<std::string>())
-                                   .value_or(PointState::Failed);
+      const auto outcome = readJson(file).get<PointOutcome>();
       const bool is_removed = !fs::exists(folder / "run/run.json", ignored);
-      if (state == PointState::Done && is_removed) return {};
-      return {state, json.at("exit_code"), json.at("message"), json.at("wall_s"),
-              json.at("replayed")};
-    } catch (const Json::exception&) {
+      if (outcome.state == PointState::Done && is_removed) return {};
+      return outcome;
+    } catch (const PointJson::exception&) {
       return {PointState::Failed, 0, file.string() + ": is damaged; remove it"};
     }
   }
@@ -164,12 +126,8 @@ PointOutcome outcomeOf(const fs::path& folder) {
 }
 
 Status writeOutcome(const fs::path& folder, const PointOutcome& outcome) {
-  const Json json = {{"state", enumName(outcome.state)},
-                     {"exit_code", outcome.exit_code},
-                     {"message", outcome.message},
-                     {"wall_s", outcome.wall_s},
-                     {"replayed", outcome.replayed}};
-  return record::writeAtomically(folder / "outcome.json", config::jsonText(json, 1) + "\n");
+  return record::writeAtomically(folder / "outcome.json",
+                                 config::jsonText(PointJson(outcome), 1) + "\n");
 }
 
 namespace {

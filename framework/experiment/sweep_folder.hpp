@@ -41,8 +41,8 @@ struct PlannedRun {
   std::string folder;            ///< its name in the folder of the sweep
   std::string front_end_sha256;  ///< of all that determines answers of source, odometry and place
   std::vector<Factor> factors;
-  std::string config;         ///< config.yaml
-  std::string config_sha256;  ///< of config.yaml when it was frozen; known of frozen runs
+  std::string config;         ///< config.yaml; not known of frozen runs
+  std::string config_sha256;  ///< of config.yaml when it was frozen
   Inputs inputs;
   std::string front_end_folder;  ///< folder of the front end that it replays, which must run before
   std::string answers_folder;  ///< folder of a run with the same front end, whose answers it takes

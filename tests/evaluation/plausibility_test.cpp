@@ -9,7 +9,7 @@
 
 #include "evaluation/paths.hpp"
 #include "evaluation/score.hpp"
-#include "evaluation/truth_sensor.hpp"
+#include "evaluation/step_series.hpp"
 
 using namespace tolman;
 using namespace tolman::evaluation;

@@ -8,8 +8,8 @@
 #include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
 #include "evaluation/score.hpp"
+#include "evaluation/step_series.hpp"
 #include "evaluation/trajectory.hpp"
-#include "evaluation/truth_sensor.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
