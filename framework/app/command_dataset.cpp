@@ -72,6 +72,7 @@ Status readAll(engine::RectifiedSource& source, std::int64_t most, FindingCollec
     status = source.next(frame);
     if (!status.isOk()) break;
     if (!frame.defect.empty()) ++defects;
+    if (auto finding = source.alternation()) findings.add(*std::move(finding));
     if (const auto fault = images.check(frame)) {
       findings.add({Severity::Warning, "images", *fault, "", Finding::Kind::Contradiction});
     }

@@ -262,13 +262,20 @@ struct RectificationSettings {
   }
 };
 
-/// Keys below `images`: for the images of every source, after rectification.
+/// Keys below `images`: for the images of every source, the mask before rectification, the others
+/// after it.
 struct ImageSettings {
   std::vector<double> crop;  ///< px: left, top, width, height; empty: all
   double scale = 1;
+  std::vector<double> mask{};  ///< px: left, top, width, height of each rectangle
   static constexpr auto declaration() {
     using S = ImageSettings;
     return parameters(
+        parameter("mask", &S::mask)
+            .range(0, 65000)
+            .unit("px")
+            .doc("Rectangles of the recorded images without the scene (own bonnet, printed time): "
+                 "left, top, width, height of each. They get what is around them, smoothed."),
         parameter("crop", &S::crop)
             .range(0, 65000)
             .unit("px")

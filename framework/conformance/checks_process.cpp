@@ -9,6 +9,7 @@
 
 #include "conformance/check.hpp"
 #include "conformance/process_state.hpp"
+#include "host/kept_state.hpp"
 
 namespace tolman::conformance {
 
@@ -64,11 +65,14 @@ void checkGlobals(CheckContext& context) {
   const RandProbe random;
   const OutputCapture output;
   const ProcessState before = processState();
+  (void)host::takeRestored();
   const InputSequence sequence = context.sequence();
   const int opencv_threads = openCvThreads();
   context.runOnce(sequence);
   for (const std::string& difference : differences(before, processState()))
     context.error(difference);
+  for (const std::string& name : host::takeRestored())
+    context.error(name + " was changed; the host restored it");
   if (random.changed()) context.error("rand() or srand() of the C library was called");
   if (openCvThreads() != opencv_threads) context.error("cv::setNumThreads() was called");
   if (!output.out().empty()) context.error("wrote to stdout: '" + output.out() + "'");

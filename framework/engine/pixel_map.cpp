@@ -219,6 +219,25 @@ Image PixelMap::apply(const Image& raw) const {
   });
 }
 
+void PixelMap::apply(NamedArray& values) const {
+  const auto all = static_cast<std::size_t>(raw_width_) * static_cast<std::size_t>(raw_height_);
+  if (values.shape != std::vector<int>{raw_height_, raw_width_} || values.values.size() != all) {
+    return;
+  }
+  NamedArray made{values.name, {height_, width_}, {}};
+  made.values.reserve(positions_.size());
+  for (const RawPosition& position : positions_) {
+    const int x = position.x + (position.right >= kParts / 2 ? 1 : 0);
+    const int y = position.y + (position.below >= kParts / 2 ? 1 : 0);
+    made.values.push_back(
+        position.right == RawPosition::kNowhere
+            ? 0
+            : values.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(raw_width_) +
+                            static_cast<std::size_t>(x)]);
+  }
+  values = std::move(made);
+}
+
 namespace {
 
 constexpr int kMinCutSide = 32;     // px, least width and height of an image

@@ -63,6 +63,9 @@ class PixelMap {
   /// parallel; the bytes are the same for any number of threads and any processor. For a raw image
   /// of another size than the map's the result is empty.
   Image apply(const Image& raw) const;
+  /// The same for an array with a value per pixel, with the shape (rows, columns) of raw images:
+  /// the nearest value, 0 where there is none. Other arrays are unchanged.
+  void apply(NamedArray& values) const;
 
  private:
   std::span<const RawPosition> positionsOf(int row) const;

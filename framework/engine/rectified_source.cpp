@@ -18,6 +18,11 @@ Status RectifiedSource::info(SourceInfo& info) {
   is_endless_ = status.isOk() && info.frames < 0;
   if (status.isOk()) status = instance().rawRig(raw_);
   given_ = info.rig;
+  if (status.isOk()) {
+    Result<ImageMask> mask = ImageMask::create(given_, images_.mask);
+    status = mask.status();
+    if (mask.isOk()) mask_ = std::move(mask).value();
+  }
   if (status.isOk() && !raw_.cameras.empty()) status = prepare(info.rig);
   if (status.isOk()) status = prepareCut(info.rig);
   if (info.has_truth) truth_.yieldToSource();
@@ -38,7 +43,7 @@ Status RectifiedSource::prepareCut(CameraRig& rig) {
   cut_ = std::move(cut).value();
   rig = rig_ = cut_.rig();
   depth_arrays_.clear();
-  if (cut_.isWhole()) return Status::ok();
+  if (cut_.isWhole() && maps_.empty()) return Status::ok();
   std::vector<ArrayInfo> arrays;
   const Status status = instance().describe(arrays);
   for (const ArrayInfo& array : arrays) {
@@ -83,10 +88,24 @@ Status RectifiedSource::next(Frame& frame) {
   if (findings_ != nullptr) status = findings_->judge(status, frame.frame);
   if (!status.isOk()) return status;
   if (truth_.applies()) addTruth(frame);
+  alternates_ = alternation_.add(frame.left) || alternates_;
+  if (findings_ != nullptr) {
+    if (auto finding = alternation()) findings_->add("source", *std::move(finding));
+  }
   if (left_only_) frame.right = {};
-  if (maps_.empty() && cut_.isWhole()) return status;
+  if (maps_.empty() && cut_.isWhole() && mask_.isEmpty()) return status;
   tbb::this_task_arena::isolate([&] { change(frame); });  // as withoutOtherTasks()
   return host::checkImages(frame, rig_);
+}
+
+std::optional<Finding> RectifiedSource::alternation() {
+  if (!std::exchange(alternates_, false)) return std::nullopt;
+  return Finding{Finding::Severity::Warning, "images",
+                 "every second one has more texture, as of a projector that blinks "
+                 "(emitter_on_off): its dots stand still in the camera",
+                 "use the others: add " + std::to_string(alternation_.first()) +
+                     " to source.first, and set source.step to 2",
+                 Finding::Kind::Unusual};
 }
 
 void RectifiedSource::addTruth(Frame& frame) {
@@ -99,6 +118,8 @@ void RectifiedSource::addTruth(Frame& frame) {
 }
 
 void RectifiedSource::change(Frame& frame) const {
+  frame.left = mask_.apply(frame.left);
+  frame.right = mask_.apply(frame.right);
   if (!maps_.empty()) {
     frame.left = maps_.front().apply(frame.left);
     frame.right = maps_.size() == 2 ? maps_.back().apply(frame.right) : Image();
@@ -106,7 +127,9 @@ void RectifiedSource::change(Frame& frame) const {
   frame.left = cut_.apply(frame.left);
   frame.right = cut_.apply(frame.right);
   for (NamedArray& sensor : frame.sensors) {
-    if (std::ranges::find(depth_arrays_, sensor.name) != depth_arrays_.end()) cut_.apply(sensor);
+    if (std::ranges::find(depth_arrays_, sensor.name) == depth_arrays_.end()) continue;
+    if (!maps_.empty()) maps_.front().apply(sensor);
+    cut_.apply(sensor);
   }
 }
 

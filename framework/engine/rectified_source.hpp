@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "config/settings.hpp"
 #include "engine/findings.hpp"
+#include "engine/image_mask.hpp"
 #include "engine/pixel_map.hpp"
 #include "engine/true_path.hpp"
 #include "host/stages.hpp"
@@ -44,6 +46,8 @@ class RectifiedSource : private host::SourceStage {
   std::string cutText() const { return cut_.text(); }
   /// What to look at in the calibration (camera_check.hpp). After info().
   std::vector<std::string> doubts() const;
+  /// What the images of a camera whose projector blinks need, once; empty for others.
+  std::optional<Finding> alternation();
 
  private:
   Status prepare(CameraRig& rig);
@@ -58,6 +62,9 @@ class RectifiedSource : private host::SourceStage {
   CameraRig rig_;    ///< the rig that the stages get
   std::string text_;
   std::vector<PixelMap> maps_;  ///< one per camera; none: images are not rectified
+  Alternation alternation_;
+  bool alternates_ = false;
+  ImageMask mask_;
   ImageCut cut_;
   std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
   TruePath truth_;

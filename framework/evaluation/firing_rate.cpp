@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/firing_rate.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -20,24 +21,18 @@ double wrapped(double angle) {
   return rest < 0 ? rest + kRadiansOfTurn : rest;
 }
 
-/// Removes the connected field around bin (r, c) from `fires` and returns its centre.
-Eigen::Vector2d takeField(const RateMap& map, Eigen::MatrixXi& fires, Eigen::Index r,
-                          Eigen::Index c) {
+/// Gives the bins of the connected field around bin (r, c), which are -1, the number of the field.
+void numberField(Eigen::MatrixXi& field, Eigen::Index r, Eigen::Index c, int number) {
   std::vector<std::pair<Eigen::Index, Eigen::Index>> open{{r, c}};
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  double rates = 0;
   while (!open.empty()) {
     const auto [i, j] = open.back();
     open.pop_back();
-    if (i < 0 || j < 0 || i >= fires.rows() || j >= fires.cols() || fires(i, j) == 0) continue;
-    fires(i, j) = 0;
-    sum += map.rate(i, j) * Eigen::Vector2d(static_cast<double>(i), static_cast<double>(j));
-    rates += map.rate(i, j);
+    if (i < 0 || j < 0 || i >= field.rows() || j >= field.cols() || field(i, j) >= 0) continue;
+    field(i, j) = number;
     for (Eigen::Index di = -1; di <= 1; ++di) {
       for (Eigen::Index dj = -1; dj <= 1; ++dj) open.emplace_back(i + di, j + dj);
     }
   }
-  return map.corner + map.bin * (sum / rates + Eigen::Vector2d::Constant(0.5));
 }
 
 /// Rates of a circle of bins; bins without visits are interpolated between their neighbours.
@@ -100,8 +95,8 @@ RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side) {
     const Eigen::Vector2d place = (sample.position - map.corner) / map.bin;
     const auto right = static_cast<Eigen::Index>(place.x());
     const auto forward = static_cast<Eigen::Index>(place.y());
-    map.rate(right, forward) += sample.rate;
-    map.visits(right, forward) += 1;
+    map.rate(right, forward) += sample.rate * sample.seconds;
+    map.visits(right, forward) += sample.seconds;
   }
   map.rate = map.rate.binaryExpr(map.visits, [](double sum, double count) {
     return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
@@ -124,8 +119,8 @@ TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins) {
   for (const Sample& sample : samples) {
     const auto bin = std::min(
         static_cast<std::size_t>(wrapped(sample.heading) / kRadiansOfTurn * bins), size - 1);
-    curve.rate[bin] += sample.rate;
-    visits[bin] += 1;
+    curve.rate[bin] += sample.rate * sample.seconds;
+    visits[bin] += sample.seconds;
   }
   std::complex<double> sum = 0;
   double total = 0;
@@ -157,23 +152,57 @@ double spatialInformation(const RateMap& map) {
   return bits;
 }
 
-std::vector<Eigen::Vector2d> fields(const RateMap& map, double share) {
+FieldBins fieldBins(const RateMap& map, double share) {
   const double highest = highestRate(map);
-  if (!(highest > 0)) return {};
-  Eigen::MatrixXi fires =
-      map.rate.unaryExpr([&](double rate) { return rate > share * highest ? 1 : 0; });
-  std::vector<Eigen::Vector2d> centres;
-  for (Eigen::Index i = 0; i < fires.rows(); ++i) {
-    for (Eigen::Index j = 0; j < fires.cols(); ++j) {
-      if (fires(i, j) != 0) centres.push_back(takeField(map, fires, i, j));
+  FieldBins found;
+  found.field = map.rate.unaryExpr(
+      [&](double rate) { return highest > 0 && rate > share * highest ? -1 : 0; });
+  for (Eigen::Index i = 0; i < found.field.rows(); ++i) {
+    for (Eigen::Index j = 0; j < found.field.cols(); ++j) {
+      if (found.field(i, j) < 0) numberField(found.field, i, j, ++found.count);
     }
+  }
+  return found;
+}
+
+std::vector<Eigen::Vector2d> fields(const RateMap& map, double share) {
+  const FieldBins found = fieldBins(map, share);
+  std::vector<Eigen::Vector3d> sums(static_cast<std::size_t>(found.count), Eigen::Vector3d::Zero());
+  for (Eigen::Index i = 0; i < found.field.rows(); ++i) {
+    for (Eigen::Index j = 0; j < found.field.cols(); ++j) {
+      if (found.field(i, j) == 0) continue;
+      sums[static_cast<std::size_t>(found.field(i, j) - 1)] +=
+          map.rate(i, j) * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), 1);
+    }
+  }
+  std::vector<Eigen::Vector2d> centres;
+  for (const Eigen::Vector3d& sum : sums) {
+    const Eigen::Vector2d place = sum.head<2>() / sum.z() + Eigen::Vector2d::Constant(0.5);
+    centres.emplace_back(map.corner + map.bin * place);
   }
   return centres;
 }
 
 namespace {
-
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+}  // namespace
+
+void Correlation::add(double x, double y, double weight) {
+  n += weight;
+  a += weight * x;
+  b += weight * y;
+  aa += weight * x * x;
+  bb += weight * y * y;
+  ab += weight * x * y;
+}
+
+double Correlation::value() const {
+  const double spread = (n * aa - a * a) * (n * bb - b * b);
+  return spread > 1e-12 * n * aa * n * bb ? (n * ab - a * b) / std::sqrt(spread) : kNan;
+}
+
+namespace {
+
 /// Fewest bins that a correlation is computed from (Sargolini et al. 2006).
 constexpr double kMinOverlap = 20;
 /// The central peak ends at the first minimum, or where correlation falls below this (Langston et
@@ -185,24 +214,6 @@ constexpr int kMinReach = 4;          // bins
 constexpr double kLongest = 2.0 / 3;  // largest displacement, share of the map's shorter side
 constexpr int kAngles = 120;          // samples of a full turn
 constexpr std::array<int, 4> kRotations = {10, 15, 20, 30};  // 30, 45, 60, 90 degrees
-
-/// Sums for Pearson's correlation.
-struct Correlation {
-  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
-
-  void add(double x, double y, double weight = 1) {
-    n += weight;
-    a += weight * x;
-    b += weight * y;
-    aa += weight * x * x;
-    bb += weight * y * y;
-    ab += weight * x * y;
-  }
-  double value() const {
-    const double spread = (n * aa - a * a) * (n * bb - b * b);
-    return spread > 1e-12 * n * aa * n * bb ? (n * ab - a * b) / std::sqrt(spread) : kNan;
-  }
-};
 
 struct VisitedBin {
   int i, j;
@@ -276,30 +287,73 @@ bool isPeak(const Eigen::MatrixXd& r, Eigen::Index i, Eigen::Index j) {
   return true;
 }
 
-/// Mean distance of the nearest peaks around the centre, in bins. `ring` is the distance at which
-/// the radial mean has its maximum. It is larger, because on a square lattice the diagonal
-/// neighbours contribute to the radial mean as well.
-double peakDistance(const Eigen::MatrixXd& r, int reach, int ring) {
-  constexpr double kInner = 0.6;                 // of the ring
-  constexpr double kTogether = 1.2;              // of the smallest distance
-  std::vector<std::pair<double, double>> peaks;  // distance, height
+/// A peak of the autocorrelogram, in bins from its centre.
+struct Peak {
+  Eigen::Vector2d at;
+  double height;
+  double distance() const { return at.norm(); }
+};
+
+/// The nearest peaks around the centre. `ring` is the distance at which the radial mean has its
+/// maximum. It is larger than theirs, because on a square lattice the diagonal neighbours
+/// contribute to the radial mean as well.
+std::vector<Peak> peaksOf(const Eigen::MatrixXd& r, int reach, int ring) {
+  constexpr double kInner = 0.6;     // of the ring
+  constexpr double kTogether = 1.2;  // of the smallest distance
+  std::vector<Peak> peaks;
   double highest = 0;
   for (Eigen::Index i = 0; i < r.rows(); ++i) {
     for (Eigen::Index j = 0; j < r.cols(); ++j) {
-      const double away =
-          std::hypot(static_cast<double>(i - reach), static_cast<double>(j - reach));
-      if (away < kInner * ring || away > kNearest * ring || !isPeak(r, i, j)) continue;
-      peaks.emplace_back(away, r(i, j));
-      highest = std::max(highest, r(i, j));
+      const Peak peak{{static_cast<double>(i - reach), static_cast<double>(j - reach)}, r(i, j)};
+      if (peak.distance() < kInner * ring || peak.distance() > kNearest * ring || !isPeak(r, i, j))
+        continue;
+      peaks.push_back(peak);
+      highest = std::max(highest, peak.height);
     }
   }
-  std::erase_if(peaks, [&](const auto& peak) { return peak.second < 0.5 * highest; });
-  if (peaks.empty() || highest <= 0) return ring;
-  const double nearest = std::ranges::min_element(peaks)->first;
-  std::erase_if(peaks, [&](const auto& peak) { return peak.first > kTogether * nearest; });
+  if (highest <= 0) return {};
+  std::erase_if(peaks, [&](const Peak& peak) { return peak.height < 0.5 * highest; });
+  const double nearest = std::ranges::min_element(peaks, {}, &Peak::distance)->distance();
+  std::erase_if(peaks, [&](const Peak& peak) { return peak.distance() > kTogether * nearest; });
+  return peaks;
+}
+
+/// Mean distance of the peaks, in bins; `ring` without any.
+double peakDistance(const std::vector<Peak>& peaks, int ring) {
   double sum = 0;
-  for (const auto& [away, height] : peaks) sum += away;
-  return sum / static_cast<double>(peaks.size());
+  for (const Peak& peak : peaks) sum += peak.distance();
+  return peaks.empty() ? ring : sum / static_cast<double>(peaks.size());
+}
+
+/// The top of the parabola through a peak and its neighbours, along each axis.
+Eigen::Vector2d refined(const Eigen::MatrixXd& r, int reach, const Peak& peak) {
+  const auto i = static_cast<Eigen::Index>(std::lround(peak.at.x())) + reach;
+  const auto j = static_cast<Eigen::Index>(std::lround(peak.at.y())) + reach;
+  if (i < 1 || j < 1 || i + 1 >= r.rows() || j + 1 >= r.cols()) return peak.at;
+  const auto top = [&](double before, double after) {
+    const double bend = before - 2 * peak.height + after;
+    return bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;  // NaN: 0
+  };
+  return peak.at + Eigen::Vector2d(top(r(i - 1, j), r(i + 1, j)), top(r(i, j - 1), r(i, j + 1)));
+}
+
+/// Sets orientation and ellipticity by the tops of the peaks, of which each has its opposite.
+void setShape(const std::vector<Eigen::Vector2d>& tops, GridScores& scores) {
+  scores.orientation = scores.ellipticity = kNan;
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector2d& top : tops) {
+    const double angle = wrapped(std::atan2(top.y(), top.x()) + 1e-9);  // 0, not a full turn
+    scores.orientation = std::fmin(scores.orientation, std::max(angle - 1e-9, 0.0));
+    const Eigen::Vector3d row(top.x() * top.x(), 2 * top.x() * top.y(), top.y() * top.y());
+    normal += row * row.transpose();
+    sum += row;
+  }
+  if (tops.size() < 6) return;
+  const Eigen::Vector3d c = normal.ldlt().solve(sum);  // x^T C x = 1
+  const double mean = (c.x() + c.z()) / 2;
+  const double spread = std::hypot((c.x() - c.z()) / 2, c.y());
+  if (mean > spread) scores.ellipticity = std::sqrt((mean + spread) / (mean - spread));
 }
 
 double interpolated(const Eigen::MatrixXd& r, double x, double y) {
@@ -387,7 +441,11 @@ std::optional<GridScores> gridScores(const RateMap& map) {
   const int centre = centralPeak(mean);
   const int nearest = nearestPeaks(mean, centre);
   const int outer = std::min(reach, static_cast<int>(std::lround(kNearest * nearest)));
-  GridScores scores{0, kNan, 0, peakDistance(r, reach, nearest) * map.bin};
+  const std::vector<Peak> peaks = peaksOf(r, reach, nearest);
+  std::vector<Eigen::Vector2d> tops;
+  for (const Peak& peak : peaks) tops.push_back(refined(r, reach, peak));
+  GridScores scores{0, kNan, 0, peakDistance(peaks, nearest) * map.bin};
+  setShape(tops, scores);
   RotatedRing ring(r, reach);
   for (int radius = centre + 1; radius <= reach; ++radius) {
     ring.grow(radius);

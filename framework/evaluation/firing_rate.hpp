@@ -18,14 +18,16 @@ struct Sample {
   Eigen::Vector2d position;  ///< m, right and forward
   double heading = 0;        ///< rad, positive to the left
   double rate = 0;
+  double seconds = 1;  ///< until the next frame; 0: does not count, because it stands still
+  double speed = 0;    ///< m/s
 };
 
-/// Mean rate in square bins of the plane.
+/// Mean rate in square bins of the plane, over time. Without smoothing.
 struct RateMap {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< m, of bin (0, 0)
   double bin = 1;                                    ///< m
-  Eigen::MatrixXd rate;  ///< (right, forward); NaN in bins without visits
-  Eigen::MatrixXd visits;
+  Eigen::MatrixXd rate;    ///< (right, forward); NaN in bins without visits
+  Eigen::MatrixXd visits;  ///< s
 };
 RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side);
 /// The highest rate of all bins; 0 without any.
@@ -53,6 +55,21 @@ double spatialInformation(const RateMap& map);
 /// above `share` of the highest rate; a fifth is a usual limit.
 std::vector<Eigen::Vector2d> fields(const RateMap& map, double share = 0.2);
 
+/// The same fields as bins: 0 outside of them, otherwise the number of the field, from 1.
+struct FieldBins {
+  Eigen::MatrixXi field;
+  int count = 0;
+};
+FieldBins fieldBins(const RateMap& map, double share = 0.2);
+
+/// Sums for Pearson's correlation.
+struct Correlation {
+  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+
+  void add(double x, double y, double weight = 1);
+  double value() const;  ///< NaN where x or y is constant
+};
+
 // Grid scores: how well the autocorrelogram of a rate map agrees with itself when it is rotated.
 //
 // The autocorrelogram holds, for each displacement, the correlation of the map with itself over the
@@ -74,6 +91,12 @@ struct GridScores {
   /// r(90) - r(45) of the ring of the nearest peaks: about 1 and more for a square lattice.
   double square = 0;
   double spacing = 0;  ///< m, distance of the nearest peaks
+  /// rad, smallest angle of a nearest peak from the axis to the right, to the left of it.
+  double orientation = 0;
+  /// Longer over shorter axis of the ellipse through the nearest peaks (Krupic et al., "Grid cell
+  /// symmetry is shaped by environmental geometry", Nature 518, 2015): 1 for a regular lattice.
+  /// NaN with fewer than three pairs of peaks.
+  double ellipticity = 0;
 };
 
 /// None if the map is too narrow for neighbouring fields, or if the rate is the same everywhere.

@@ -42,7 +42,8 @@ Json ringJson(const RingFigures& ring) {
           {"error", errorJson(ring.error_deg, "deg")},
           {"mean_vector_length", scoreJson(ring.scores.mean_vector_length)},
           {"half_width_deg", scoreJson(ring.scores.half_width_deg)},
-          {"spatial_information_bits", scoreJson(ring.scores.information_bits)}};
+          {"spatial_information_bits", scoreJson(ring.scores.information_bits)},
+          {"speed_score", scoreJson(ring.scores.speed)}};
 }
 
 Json sheetJson(const SheetFigures& sheet) {
@@ -53,7 +54,15 @@ Json sheetJson(const SheetFigures& sheet) {
           {"grid_score_square", scoreJson(sheet.scores.square)},
           {"grid_score_sargolini", scoreJson(sheet.scores.sargolini)},
           {"grid_score_langston", scoreJson(sheet.scores.langston)},
-          {"spatial_information_bits", scoreJson(sheet.scores.information_bits)}};
+          {"spatial_information_bits", scoreJson(sheet.scores.information_bits)},
+          {"spacing_m", scoreJson(sheet.scores.spacing)},
+          {"orientation_deg", scoreJson(sheet.scores.orientation_deg)},
+          {"ellipticity", scoreJson(sheet.scores.ellipticity)},
+          {"sparsity", scoreJson(sheet.scores.sparsity)},
+          {"coherence", scoreJson(sheet.scores.coherence)},
+          {"border_score", scoreJson(sheet.scores.border)},
+          {"speed_score", scoreJson(sheet.scores.speed)},
+          {"rate_map", {{"bin_m", sheet.scores.bin}, {"smoothing_m", 0}}}};
 }
 
 constexpr std::size_t kShuffles = 200;
@@ -151,7 +160,9 @@ Json toJson(const CellFigures& cells) {
             {"grid", Json::array()},
             {"shuffles", cells.shuffles},
             {"least_shift_s", cells.least_shift_s},
-            {"seed", cells.seed}};
+            {"seed", cells.seed},
+            {"occupancy_unit", "s"},
+            {"speed_limit_m_s", cells.speed_limit}};
   for (const RingFigures& ring : cells.rings) json["head_direction"].push_back(ringJson(ring));
   for (const SheetFigures& sheet : cells.sheets) json["grid"].push_back(sheetJson(sheet));
   return json;
@@ -173,15 +184,17 @@ std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory
     figures.reason = figures.position_reason = scored.reason;
   }
   for (const PopulationHistory& ring : cells.rings) {
-    const RecordedUnits units = unitsAt(ring, places, measuredUnits(ring));
+    const RecordedUnits units = unitsAt(ring, places, measuredUnits(ring), figures.truth);
+    figures.speed_limit = units.speed_limit;
     auto errors = figures.truth ? headingErrorsDeg(ring, places) : std::vector<double>();
     figures.rings.push_back({ring.info.name, ring.activity[0].size(),
                              errorFigures(std::move(errors)),
                              scoreRing(units, shufflingOf(units, figures))});
   }
   for (const PopulationHistory& sheet : cells.sheets) {
-    const RecordedUnits units = unitsAt(sheet, places, measuredUnits(sheet));
+    const RecordedUnits units = unitsAt(sheet, places, measuredUnits(sheet), figures.truth);
     const ArrayAxis& axis = sheet.info.axes[0];
+    figures.speed_limit = units.speed_limit;
     figures.sheets.push_back(
         {sheet.info.name, sheet.activity[0].size(), axis.period, axis.unit,
          scoreSheet(units, periodInMetres(sheet), shufflingOf(units, figures))});

@@ -44,6 +44,7 @@ struct CellFigures {
   std::uint64_t seed = 1;  ///< of the shuffles
   std::size_t shuffles = 0;
   double least_shift_s = 0;
+  double speed_limit = 0;  ///< m/s; slower samples do not count in maps, curves and scores
   std::vector<RingFigures> rings;
   std::vector<SheetFigures> sheets;
   std::optional<ErrorFigures> position_m;  ///< of the position that all modules decode

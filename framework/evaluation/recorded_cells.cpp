@@ -13,6 +13,7 @@
 
 #include "evaluation/errors.hpp"
 #include "evaluation/firing_rate.hpp"
+#include "evaluation/place_scores.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::evaluation {
@@ -128,7 +129,8 @@ std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<do
 RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
   const int bins = binsFor(units.walk, 0, kMaxDrawnBins);
   auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
-    return RingUnit{tuningCurve(samples, kTuningBins), spatialInformation(rateMap(samples, bins))};
+    return RingUnit{tuningCurve(samples, kTuningBins), spatialInformation(rateMap(samples, bins)),
+                    speedScore(samples)};
   });
   const auto length = [](const RingUnit& unit) {  // none if there are too few headings
     return unit.tuning.half_width ? Value(unit.tuning.mean_vector_length) : Value();
@@ -137,8 +139,9 @@ RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
     return unit.tuning.half_width ? Value(*unit.tuning.half_width * kDegrees) : Value();
   };
   const auto bits = [](const RingUnit& unit) { return Value(unit.information_bits); };
+  const auto speed = [](const RingUnit& unit) { return unit.speed; };
   return {scoreOf(measured, length), scoreOf(measured, width, Better::Less),
-          scoreOf(measured, bits), std::move(measured.units)};
+          scoreOf(measured, bits), scoreOf(measured, speed), std::move(measured.units)};
 }
 
 LatticeScore bestLattice(const SheetScores& scores) {
@@ -152,19 +155,38 @@ SheetScores scoreSheet(const RecordedUnits& units, double period, const Shufflin
   const int bins = scoredBins(units.walk, period);
   auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
     const RateMap map = rateMap(samples, bins);
-    return SheetUnit{gridScores(map), spatialInformation(map), 0};
+    return SheetUnit{gridScores(map), spatialInformation(map), sparsity(map),
+                     coherence(map),  borderScore(map),        speedScore(samples)};
   });
   for (std::size_t i = 0; i < units.rates.size(); ++i) {
     measured.units[i].fields = fields(firingMap(units, i)).size();
   }
-  const auto score = [&](double GridScores::*member) {
+  const auto score = [&](double GridScores::*member, double factor = 1) {
     return scoreOf(measured, [=](const SheetUnit& unit) {
-      return unit.scores ? Value((*unit.scores).*member) : Value();
+      const double value = unit.scores ? factor * (*unit.scores).*member : NAN;
+      return std::isnan(value) ? Value() : Value(value);
     });
   };
+  const auto other = [&](Value SheetUnit::*member, Better better = Better::More) {
+    return scoreOf(
+        measured, [=](const SheetUnit& unit) { return unit.*member; }, better);
+  };
   const auto bits = [](const SheetUnit& unit) { return Value(unit.information_bits); };
-  return {score(&GridScores::square), score(&GridScores::sargolini), score(&GridScores::langston),
-          scoreOf(measured, bits), std::move(measured.units)};
+  SheetScores scores;
+  scores.square = score(&GridScores::square);
+  scores.sargolini = score(&GridScores::sargolini);
+  scores.langston = score(&GridScores::langston);
+  scores.information_bits = scoreOf(measured, bits);
+  scores.spacing = score(&GridScores::spacing);
+  scores.orientation_deg = score(&GridScores::orientation, kDegrees);
+  scores.ellipticity = score(&GridScores::ellipticity);
+  scores.sparsity = other(&SheetUnit::sparsity, Better::Less);
+  scores.coherence = other(&SheetUnit::coherence);
+  scores.border = other(&SheetUnit::border);
+  scores.speed = other(&SheetUnit::speed);
+  scores.bin = rateMap(units.walk, bins).bin;
+  scores.units = std::move(measured.units);
+  return scores;
 }
 
 namespace {
@@ -421,20 +443,21 @@ std::vector<std::size_t> measuredUnits(const PopulationHistory& population) {
 }
 
 RecordedUnits unitsAt(const PopulationHistory& population, const StampedPoses& poses,
-                      const std::vector<std::size_t>& chosen) {
+                      const std::vector<std::size_t>& chosen, bool metric) {
   RecordedUnits units{{}, std::vector<std::vector<float>>(chosen.size())};
-  std::int64_t first = -1;
+  std::vector<std::int64_t> stamps_ns;
   for (std::size_t i = 0; i < population.frames.size(); ++i) {
     const auto stamped = poses.find(population.frames[i]);
     if (stamped == poses.end()) continue;
     const auto& [pose, stamp_ns] = stamped->second;
-    if (units.walk.empty()) first = stamp_ns;
-    units.seconds = 1e-9 * static_cast<double>(stamp_ns - first);
+    stamps_ns.push_back(stamp_ns);
+    units.seconds = 1e-9 * static_cast<double>(stamp_ns - stamps_ns[0]);
     units.walk.push_back({{-pose.y, pose.x}, pose.theta, 0});
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       units.rates[k].push_back(population.activity[i][chosen[k]]);
     }
   }
+  setTimes(units, stamps_ns, metric);
   return units;
 }
 

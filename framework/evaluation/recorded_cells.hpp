@@ -48,6 +48,7 @@ struct RecordedUnits {
   std::vector<Sample> walk;               ///< without rates
   std::vector<std::vector<float>> rates;  ///< one row per unit, as long as the walk
   double seconds = 0;                     ///< duration of the walk
+  double speed_limit = 0;                 ///< m/s; slower samples do not count
 };
 
 /// The firing rate map of a unit for figures, of at most 70 bins a side. Bins are at least 1.5
@@ -69,9 +70,10 @@ struct Shuffling {
 struct RingUnit {
   TuningCurve tuning;
   double information_bits = 0;
+  std::optional<double> speed;
 };
 struct RingScores {
-  std::optional<UnitScore> mean_vector_length, half_width_deg, information_bits;
+  std::optional<UnitScore> mean_vector_length, half_width_deg, information_bits, speed;
   std::vector<RingUnit> units;
 };
 RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling);
@@ -79,10 +81,14 @@ RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling);
 struct SheetUnit {
   std::optional<GridScores> scores;
   double information_bits = 0;
+  std::optional<double> sparsity, coherence, border, speed;
   std::size_t fields = 0;  ///< of the firingMap()
 };
 struct SheetScores {
   std::optional<UnitScore> square, sargolini, langston, information_bits;
+  std::optional<UnitScore> spacing, orientation_deg, ellipticity;
+  std::optional<UnitScore> sparsity, coherence, border, speed;
+  double bin = 0;  ///< m, of the rate maps
   std::vector<SheetUnit> units;
 };
 /// The regular lattice that the units fit best, by the medians of the scores.
@@ -184,9 +190,9 @@ inline constexpr int kMaxUnitsAlongAxis = 32;
 /// sheet, evenly spaced.
 std::vector<std::size_t> measuredUnits(const PopulationHistory& population);
 
-/// The activity of the units `chosen` at the frames that have a pose.
+/// The activity of the units `chosen` at the frames that have a pose. `metric`: these are in m.
 RecordedUnits unitsAt(const PopulationHistory& population, const StampedPoses& poses,
-                      const std::vector<std::size_t>& chosen);
+                      const std::vector<std::size_t>& chosen, bool metric);
 
 /// The period of a sheet, m; 0 if its unit is not m.
 double periodInMetres(const PopulationHistory& sheet);

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/kept_state.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::host {
@@ -59,10 +60,12 @@ inline bool isOutOfMemory(const Status& status) {
 }
 
 /// Calls `work`, which returns a Status, and converts an exception to a failure. The text of the
-/// exception is copied, because its object belongs to the plugin's library.
+/// exception is copied, because its object belongs to the plugin's library. What the call changes
+/// in the process, by KeptState, is restored.
 template <class Work>
 Status contained(Work&& work) noexcept {
   try {
+    const KeptState kept;
     return std::forward<Work>(work)();
   } catch (const FailedCall& failed) {
     return thrown("", failed.what());

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <boost/dll/shared_library.hpp>
+#include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -134,26 +137,59 @@ bool isOfSystem(const fs::path& file) {
                              [&](const char* folder) { return file.string().starts_with(folder); });
 }
 
-/// The names of the libraries that an open library is linked with.
-std::vector<std::string> neededBy(const link_map& library) {
+/// What an open library is linked with.
+struct Links {
+  std::vector<std::string> needed;  ///< names
+  std::vector<fs::path> folders;    ///< where the linker looks for them before those of the system
+};
+
+Links linksOf(const link_map& library) {
   const char* strings = nullptr;
-  std::vector<std::size_t> offsets;
+  std::map<ElfW(Sxword), std::vector<std::size_t>> offsets;
   for (const ElfW(Dyn)* entry = library.l_ld; entry->d_tag != DT_NULL; ++entry) {
-    if (entry->d_tag == DT_NEEDED) offsets.push_back(entry->d_un.d_val);
+    offsets[entry->d_tag].push_back(entry->d_un.d_val);
     if (entry->d_tag != DT_STRTAB) continue;
     // The loader of glibc replaces offsets by addresses where it may write.
     const ElfW(Addr) value = entry->d_un.d_ptr;
     strings = reinterpret_cast<const char*>(  // NOLINT: what the ELF format says
         value < library.l_addr ? library.l_addr + value : value);
   }
-  std::vector<std::string> names;
-  for (const std::size_t offset : offsets) names.emplace_back(strings + offset);
-  return names;
+  Links links;
+  for (const std::size_t offset : offsets[DT_NEEDED]) links.needed.emplace_back(strings + offset);
+  const auto addFolders = [&](const std::string& paths) {
+    std::istringstream stream(paths);
+    for (std::string folder; std::getline(stream, folder, ':');) {
+      for (const std::string_view origin : {"${ORIGIN}", "$ORIGIN"}) {
+        const std::size_t at = folder.find(origin);
+        if (at == std::string::npos) continue;
+        folder.replace(at, origin.size(), fs::path(library.l_name).parent_path().string());
+      }
+      if (!folder.empty()) links.folders.emplace_back(folder);
+    }
+  };
+  for (const std::size_t offset : offsets[DT_RPATH]) addFolders(strings + offset);
+  if (const char* all = std::getenv("LD_LIBRARY_PATH")) addFolders(all);
+  for (const std::size_t offset : offsets[DT_RUNPATH]) addFolders(strings + offset);
+  return links;
 }
 
-}  // namespace
+bool areSame(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  if (fs::equivalent(a, b, ignored)) return true;
+  std::array<std::ifstream, 2> files = {std::ifstream(a, std::ios::binary),
+                                        std::ifstream(b, std::ios::binary)};
+  using Bytes = std::istreambuf_iterator<char>;
+  return fs::file_size(a, ignored) == fs::file_size(b, ignored) &&
+         std::equal(Bytes(files[0]), Bytes(), Bytes(files[1]), Bytes());
+}
 
-std::vector<std::string> ownLibraries(const fs::path& library) {
+/// The libraries that an open one is linked with, directly or by another.
+struct Closure {
+  std::set<std::string> files;  ///< those that are not of the system
+  std::string stranger;         ///< one of another file of that name, in words; usually empty
+};
+
+Closure closureOf(const fs::path& library) {
   void* handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_NOLOAD);
   link_map* first = nullptr;
   if (handle == nullptr || ::dlinfo(handle, RTLD_DI_LINKMAP, &first) != 0) return {};
@@ -163,20 +199,33 @@ std::vector<std::string> ownLibraries(const fs::path& library) {
   for (; any != nullptr; any = any->l_next) {
     if (any->l_ld != nullptr) open.emplace(fs::path(any->l_name).filename().string(), any);
   }
-  std::set<std::string> files;
+  Closure closure;
   for (std::vector<const link_map*> unread = {first}; !unread.empty();) {
-    const std::vector<std::string> needed = neededBy(*unread.back());
+    const Links links = linksOf(*unread.back());
     unread.pop_back();
-    for (const std::string& name : needed) {
+    for (const std::string& name : links.needed) {
       const auto found = open.find(fs::path(name).filename().string());
       if (found == open.end()) continue;
       std::error_code ignored;
       const fs::path file = fs::weakly_canonical(found->second->l_name, ignored);
-      if (isOfSystem(file) || !files.insert(file.string()).second) continue;
+      const auto own = std::ranges::find_if(links.folders, [&](const fs::path& folder) {
+        return fs::exists(folder / name, ignored);
+      });
+      if (own != links.folders.end() && !areSame(*own / name, file)) {
+        closure.stranger = (*own / name).string() + ", but " + file.string() + " of that name";
+      }
+      if (isOfSystem(file) || !closure.files.insert(file.string()).second) continue;
       unread.push_back(found->second);
     }
   }
-  return {files.begin(), files.end()};
+  return closure;
+}
+
+}  // namespace
+
+std::vector<std::string> ownLibraries(const fs::path& library) {
+  const Closure closure = closureOf(library);
+  return {closure.files.begin(), closure.files.end()};
 }
 
 namespace {
@@ -282,9 +331,17 @@ OrRefusal<LoadedPlugin> openProgram(const boost::dll::shared_library& library,
 
 OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host) {
   if (auto refusal = checkGate(manifest, host)) return *refusal;
+  const KeptState kept;  // constructors of the library run now
   auto opened = openPinned(manifest);
   if (auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
   const auto& library = std::get<boost::dll::shared_library>(opened);
+  if (const std::string stranger = closureOf(manifest.file).stranger; !stranger.empty()) {
+    return Refusal{"plugin/library-conflict",
+                   subject(manifest) + " is linked with " + stranger +
+                       " is open already, which the linker takes instead",
+                   "give one of the two libraries another name, or set isolation: process for one "
+                   "of the stages"};
+  }
   if (!manifest.programs.empty()) return openProgram(library, manifest);
   auto entry = callEntry(library, manifest);
   if (auto* refusal = std::get_if<Refusal>(&entry)) return *refusal;

@@ -136,7 +136,7 @@ void drawKey(Svg& svg, const Eigen::Vector2d& corner, const ArrayInfo& info, con
 /// Draws the rate maps of a grid module. Returns the y of its lower end, px.
 double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory& sheet,
                  const evaluation::SheetFigures& figures, const evaluation::StampedPoses& poses,
-                 double metres_per_unit) {
+                 double metres_per_unit, bool metric) {
   const ArrayAxis& axis = sheet.info.axes[0];
   const double period = axis.period * (axis.unit == "m" ? metres_per_unit : 1);
   const evaluation::LatticeScore lattice = evaluation::bestLattice(figures.scores);
@@ -144,7 +144,7 @@ double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistor
             fmt::format("{}: {} grid units, period {:.4g} {}", sheet.info.name, figures.units,
                         period, axis.unit),
             scoreText(fmt::format("{} score", lattice.name), lattice.score));
-  const auto units = unitsAt(sheet, poses, measuredUnits(sheet));
+  const auto units = unitsAt(sheet, poses, measuredUnits(sheet), metric);
   std::vector<RateMap> maps;
   double peak = 1e-12;
   for (std::size_t i = 0; i < units.rates.size(); ++i) {
@@ -190,8 +190,8 @@ std::string unitsFigure(const RunData& run) {
   }
   double left = kMargin;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
-    const double bottom =
-        drawSheet(svg, {left, top}, sheets[i], run.metrics.cells->sheets[i], poses, run.metres);
+    const double bottom = drawSheet(svg, {left, top}, sheets[i], run.metrics.cells->sheets[i],
+                                    poses, run.metres, run.metrics.cells->truth);
     svg.extendTo(bottom);
     left += kColumn;
     if (left < svg.width()) continue;

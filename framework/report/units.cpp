@@ -27,7 +27,7 @@ evaluation::RateMap inMetres(evaluation::RateMap map, const RunData& run) {
 DrawnUnit headDirectionUnit(const RunData& run, std::size_t unit,
                             const evaluation::StampedPoses& poses) {
   const PopulationHistory& ring = run.cells.rings[0];
-  const auto one = unitsAt(ring, poses, {unit});
+  const auto one = unitsAt(ring, poses, {unit}, run.metrics.cells->truth);
   const evaluation::TuningCurve curve = scoreRing(one, kNoShuffling).units[0].tuning;
   const std::string width =
       curve.half_width ? fmt::format(", half width {:.0f} deg", *curve.half_width * kDegrees) : "";
@@ -44,7 +44,7 @@ DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
   const PopulationHistory& sheet = run.cells.sheets[0];
   const auto& axes = sheet.info.axes;
   const std::size_t unit = choice.row * sizeOf(run.cells.sheets, 1) + choice.column;
-  const auto one = unitsAt(sheet, poses, {unit});
+  const auto one = unitsAt(sheet, poses, {unit}, run.metrics.cells->truth);
   const auto measured = scoreSheet(one, periodInMetres(sheet), kNoShuffling).units[0];
   const auto lattice = evaluation::bestLattice(run.metrics.cells->sheets[0].scores);
   const std::string score =
@@ -115,6 +115,15 @@ Json sheetUnitJson(const PopulationHistory& sheet, std::size_t i,
   score("grid_score_sargolini", &evaluation::GridScores::sargolini);
   score("grid_score_langston", &evaluation::GridScores::langston);
   score("spacing_m", &evaluation::GridScores::spacing);
+  score("ellipticity", &evaluation::GridScores::ellipticity);
+  score("orientation_rad", &evaluation::GridScores::orientation);
+  const auto other = [&](const char* key, const std::optional<double>& value) {
+    json[key] = value ? Json(*value) : Json();
+  };
+  other("sparsity", unit.sparsity);
+  other("coherence", unit.coherence);
+  other("border_score", unit.border);
+  other("speed_score", unit.speed);
   return json;
 }
 

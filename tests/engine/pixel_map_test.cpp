@@ -121,6 +121,21 @@ TEST_CASE("a raw image with gaps between its rows is read by its stride") {
   CHECK(cv::norm(asMat(map.apply(raw)), asMat(map.apply(same)), cv::NORM_INF) == 0);
 }
 
+TEST_CASE("depth goes the way of the image, by its nearest value") {
+  const RawCamera camera = test::rawCamera(LensModel::Pinhole, 64, 48, {50, 50, 31.5, 23.5}, {});
+  const PixelMap map(camera, Eigen::Matrix3d::Identity(),
+                     CameraRig{80, 48, true, {50, 50, 39.3, 23.5}, 0});
+  NamedArray depth{"depth", {48, 64}, {}};
+  for (int i = 0; i < 48 * 64; ++i) depth.values.push_back(static_cast<float>(i % 64 + 1));
+  map.apply(depth);
+  REQUIRE(depth.shape == std::vector<int>{48, 80});
+  CHECK(depth.values[10 * 80 + 7] == 0);
+  CHECK(depth.values[10 * 80 + 20] == 13);  // 20 - 39.3 + 31.5 = 12.2
+  NamedArray other{"imu", {3}, {1, 2, 3}};
+  map.apply(other);
+  CHECK(other.values.size() == 3);
+}
+
 TEST_CASE("what the raw image does not show is black; a missing image stays missing") {
   const RawCamera camera = test::rawCamera(LensModel::Pinhole, 64, 48, {50, 50, 31.5, 23.5}, {});
   const CameraRig wide{128, 48, true, {50, 50, 63.5, 23.5}, 0};

@@ -118,7 +118,7 @@ TEST_CASE("units have the places of their frames; those without a pose, or lost,
   }
   Trajectory walk = walkOf(9);
   walk[4].T_world_camera.translation().x() = 1e12;
-  const RecordedUnits units = unitsAt(cells.rings[0], stampedPosesOf(walk), {3, 1});
+  const RecordedUnits units = unitsAt(cells.rings[0], stampedPosesOf(walk), {3, 1}, true);
   REQUIRE(units.walk.size() == 8);
   CHECK(units.walk[4].position.isApprox(Eigen::Vector2d(0, 5)));
   CHECK(units.rates[0][4] == 5);

@@ -2,10 +2,15 @@
 // Calls into plugins: any exception becomes a failure that names stage, plugin, call and frame.
 #include "host/guard.hpp"
 
+#include <immintrin.h>
 #include <sys/resource.h>
 
 #include <catch2/catch.hpp>
+#include <clocale>
+#include <csignal>
 #include <ios>
+#include <limits>
+#include <locale>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -114,3 +119,33 @@ TEST_CASE("a failure is reported even if there is no memory for its text") {
   CHECK(returned.message().size() < 11'000);  // cut
 }
 #endif
+
+TEST_CASE(
+    "a call leaves rounding, subnormal numbers, locales and handlers of signals as they were") {
+  struct Decimal : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+  };
+  const auto halfOfLeast = [] {
+    volatile double least = std::numeric_limits<double>::min();
+    return least / 2;
+  };
+  const auto handler = std::signal(SIGTERM, SIG_IGN);
+  (void)takeRestored();
+  const Status status = guarded(kTrack, [&] {
+    _mm_setcsr(_mm_getcsr() | 0x8040U | _MM_ROUND_UP);  // as -ffast-math does, and more
+    std::setlocale(LC_ALL, "C.UTF-8");
+    std::locale::global(std::locale(std::locale(), new Decimal));
+    std::signal(SIGTERM, SIG_DFL);
+    CHECK(halfOfLeast() == 0);
+    return Status::ok();
+  });
+  CHECK(status.isOk());
+  CHECK(halfOfLeast() > 0);
+  CHECK((_mm_getcsr() & _MM_ROUND_MASK) == 0);
+  CHECK(std::string(std::setlocale(LC_ALL, nullptr)) == "C");
+  CHECK(std::locale() == std::locale::classic());
+  CHECK(std::signal(SIGTERM, handler) == SIG_IGN);
+  CHECK(takeRestored() == std::set<std::string>{"floating point control (denormals, traps)",
+                                                "handler of signal 15", "locale of C",
+                                                "locale of C++", "rounding mode"});
+}

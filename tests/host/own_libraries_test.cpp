@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <immintrin.h>
+
 #include <catch2/catch.hpp>
 
 #include "host/fixture_plugins.hpp"
@@ -20,4 +22,20 @@ TEST_CASE("other plugins, and libraries that are not open, have none") {
   REQUIRE(std::holds_alternative<host::LoadedPlugin>(loaded));
   CHECK(std::get<host::LoadedPlugin>(loaded).manifest.program_files.empty());
   CHECK(host::ownLibraries("/no/such/library.so").empty());
+}
+
+TEST_CASE("a second library of one name is refused, and the open one stays as it is") {
+  const auto first = load("brings_library", "brings_library");
+  REQUIRE(std::holds_alternative<host::LoadedPlugin>(first));
+  const auto second = load("brings_another", "brings_another");
+  const host::Refusal& refusal = refusalOf(second);
+  CHECK(refusal.id == "plugin/library-conflict");
+  CHECK(refusal.message.find("brings_another/libtolman_brought.so, but ") != std::string::npos);
+  CHECK(refusal.remedy.find("isolation: process") != std::string::npos);
+  CHECK(std::holds_alternative<host::LoadedPlugin>(load("brings_library", "brings_library")));
+}
+
+TEST_CASE("a plugin that was linked with -ffast-math does not change the host's arithmetic") {
+  REQUIRE(std::holds_alternative<host::LoadedPlugin>(load("brings_library", "brings_library")));
+  CHECK((_mm_getcsr() & 0x8040U) == 0);
 }

@@ -193,14 +193,30 @@ class TrajectoryTest(Systems):
             import h5py
         except ImportError:
             self.skipTest("needs python3-h5py")
-        with h5py.File(self.folder / "rat.nwb", "w") as file:
-            series = file.create_group("processing/behavior/Position/led")
-            series.attrs["neurodata_type"] = "SpatialSeries"
-            series["data"] = np.array([[0, 0], [100, 0], [np.nan, 0], [300, 0.0]])
-            series["data"].attrs["conversion"] = 0.01
-            series["timestamps"] = np.arange(4.0)
-        source = load("trajectory")(path=self.folder / "rat.nwb", rate=1)
-        self.assertTrue(np.allclose(source.poses[:, 0], [0, 1, 2, 3]))
+        def series(place, columns, **of):
+            with h5py.File(self.folder / "rat.nwb", "a") as file:
+                group = file.require_group(place)
+                group.attrs["neurodata_type"] = "SpatialSeries"
+                group["data"] = np.array([[0, 7, 0], [100, 7, 0], [np.nan, 7, 0], [300, 7, 0.0]])[:, :columns]
+                group["data"].attrs.update(of)
+                group["timestamps"] = 1000 * np.arange(4.0)
+                group["timestamps"].attrs["unit"] = "milliseconds"
+
+        def read(**values):
+            return load("trajectory")(path=self.folder / "rat.nwb", rate=1, **values).poses[:, 0]
+
+        for of in ({"conversion": 0.01}, {"unit": "cm"}, {"unit": "millimeters", "conversion": 10.0},
+                   {"unit": "Meters", "conversion": 0.01, "offset": 2.0}):
+            (self.folder / "rat.nwb").unlink(missing_ok=True)
+            series("processing/behavior/Position/led", 2, **of)
+            series("processing/behavior/Position/a_line", 1)  # is no series of positions
+            self.assertTrue(np.allclose(read(), np.arange(4) + of.get("offset", 0)), of)
+        series("processing/behavior/Position/another", 3, unit="pixels")
+        with self.assertRaisesRegex(tolman.InvalidInput, "several series .* set series to one of: .*/another, .*/led"):
+            read()
+        with self.assertRaisesRegex(tolman.InvalidInput, "the unit 'pixels', which is not known; set metres"):
+            read(series="another")
+        self.assertTrue(np.allclose(read(series="another", metres=0.002), 0.2 * np.arange(4)))
 
 
 class RunsTest(Systems):

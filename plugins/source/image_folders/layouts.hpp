@@ -104,7 +104,12 @@ struct TumParameters : FolderParameters, source_parameters::GivenPinhole {
                 .range(1, 1e6)
                 .unit("1/m")
                 .doc("Values of a depth image per metre.")),
-        source_parameters::pinholeParameter<P>(), folderParameters<P>());
+        source_parameters::pinholeParameter<P>(
+            "[fx, fy, cx, cy], or [f] about the middle of the image; of images with distortion "
+            "followed by k1, k2, p1, p2, k3 (OpenCV), as published for fr1 and fr2; empty for an "
+            "uncalibrated camera.",
+            -1e6),
+        folderParameters<P>());
   }
 };
 

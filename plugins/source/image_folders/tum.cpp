@@ -80,7 +80,13 @@ void read(const TumParameters& p, ImageDataset& dataset, FindingCollector& findi
   if (fs::exists(root / "groundtruth.txt", ignored)) {
     addTruth(root / "groundtruth.txt", dataset, findings);
   }
-  dataset.rig = source_parameters::valueOf(p.rig(dataset.rig.width, dataset.rig.height));
+  const CameraRig& size = dataset.rig;
+  if (p.isRaw()) {
+    dataset.raw.cameras = {
+        source_parameters::valueOf(source_parameters::rawCamera(p, size.width, size.height))};
+  } else {
+    dataset.rig = source_parameters::valueOf(p.rig(size.width, size.height));
+  }
 }
 
 }  // namespace tolman::image_folders

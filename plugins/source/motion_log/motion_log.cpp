@@ -37,15 +37,10 @@ Status MotionLog::configure(const Context& context) {
   return ready_ = load(context.findings);
 }
 
-/// The file of the default name may be missing; one that was named, or a link to nothing, may not.
 Status MotionLog::loadTruth(const fs::path& file) {
-  if (parameters_.truth.empty()) return Status::ok();
-  std::error_code ignored;
-  const bool is_named = parameters_.truth != Parameters().truth;
-  if (!is_named && !fs::exists(fs::symlink_status(file, ignored))) return Status::ok();
-  Result<std::vector<PlanarPose>> read = readChain(file);
+  Result<Drive> read = readDrive(file);
   if (!read.isOk()) return read.status();
-  truth_ = std::move(read.value());
+  truth_ = std::move(read.value().poses);
   if (truth_.size() == poses_.size()) return Status::ok();
   return Status::invalidInput(file.string() + " has " + std::to_string(truth_.size()) +
                               " poses, the odometry " + std::to_string(poses_.size()) +
@@ -53,20 +48,42 @@ Status MotionLog::loadTruth(const fs::path& file) {
 }
 
 Status MotionLog::load(FindingCollector& findings) {
-  const fs::path folder = parameters_.path;
-  Result<std::vector<PlanarPose>> poses = readChain(folder / parameters_.odometry);
-  if (!poses.isOk()) return poses.status();
-  poses_ = std::move(poses.value());
+  std::error_code ignored;
+  const fs::path path = parameters_.path;
+  const bool is_folder = !fs::is_regular_file(path, ignored);
+  const fs::path folder = is_folder ? path : path.parent_path();
+  const fs::path file = is_folder ? folder / parameters_.odometry : path;
+  Result<Drive> drive = readDrive(file);
+  if (!drive.isOk()) return drive.status();
+  poses_ = std::move(drive.value().poses);
   drive_ = digest(poses_);
-  if (Status status = loadTruth(folder / parameters_.truth); !status.isOk()) return status;
-  if (Status status = loadCandidates(); !status.isOk()) return status;
-  const auto report = [&](const std::string& name, const std::vector<std::string>& doubts) {
-    for (const std::string& doubt : doubts) {
-      findings.add({Finding::Severity::Warning, (folder / name).string(), doubt});
+  for (const Finding& finding : drive.value().findings) findings.add(finding);
+  const auto reportUnits = [&](const fs::path& of, const std::vector<PlanarPose>& poses) {
+    for (const std::string& doubt : unitDoubts(poses, parameters_.rate)) {
+      findings.add({Finding::Severity::Warning, of.string(), doubt});
     }
   };
-  report(parameters_.odometry, unitDoubts(poses_, parameters_.rate));
-  report(parameters_.truth, unitDoubts(truth_, parameters_.rate));
+  reportUnits(file, poses_);
+  // The file of a default name may be missing beside a graph; one that was named, or a link to
+  // nothing, may not.
+  const auto isThere = [&](const std::string& name, const std::string& usual, bool optional) {
+    if (name.empty() || (name == usual && !is_folder)) return false;
+    return name != usual || !optional || fs::exists(fs::symlink_status(folder / name, ignored));
+  };
+  Status status = addCandidates(file, drive.value().others, drive.value().ids, findings);
+  if (isThere(parameters_.truth, Parameters().truth, true)) {
+    if (status.isOk()) status = loadTruth(folder / parameters_.truth);
+    reportUnits(folder / parameters_.truth, truth_);
+  }
+  if (isThere(parameters_.candidates, Parameters().candidates, !candidates_.empty())) {
+    const Result<GraphFile> graph = readGraph(folder / parameters_.candidates);
+    if (status.isOk()) status = graph.status();
+    if (status.isOk()) {
+      status = addCandidates(folder / parameters_.candidates, graph.value().edges,
+                             drive.value().ids, findings);
+    }
+  }
+  if (!status.isOk()) return status;
   std::vector<std::int64_t> stamps;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     stamps.push_back(std::llround(static_cast<double>(i) * 1e9 / parameters_.rate));
@@ -77,33 +94,38 @@ Status MotionLog::load(FindingCollector& findings) {
   return Status::ok();
 }
 
-Status MotionLog::loadCandidates() {
-  if (parameters_.candidates.empty()) return Status::ok();
-  const fs::path file = fs::path(parameters_.path) / parameters_.candidates;
-  Result<std::vector<Edge>> edges = readEdges(file);
-  if (!edges.isOk()) return edges.status();
-  const auto count = static_cast<std::int64_t>(poses_.size());
-  for (const Edge& edge : edges.value()) {
+/// Each from the later to the earlier of its two frames.
+Status MotionLog::addCandidates(const fs::path& file, const std::vector<Edge>& edges,
+                                const std::vector<std::int64_t>& ids, FindingCollector& findings) {
+  int repeated = 0;
+  for (Edge edge : edges) {
     const std::string place = file.string() + ":" + std::to_string(edge.line) + ": ";
-    if (edge.from >= count) {
-      return Status::invalidInput(place + "there is no frame " + std::to_string(edge.from) +
-                                  "; the odometry has " + std::to_string(count) +
-                                  ", and the candidates must be of the same drive");
+    for (std::int64_t* id : {&edge.from, &edge.to}) {
+      const auto found = std::ranges::lower_bound(ids, *id);
+      if (found == ids.end() || *found != *id) {
+        return Status::invalidInput(place + "there is no frame " + std::to_string(*id) +
+                                    "; the odometry has " + std::to_string(ids.size()) +
+                                    ", and the candidates must be of the same drive");
+      }
+      *id = found - ids.begin();
     }
-    if (edge.to >= edge.from) {
-      return Status::invalidInput(place + "leads from frame " + std::to_string(edge.from) + " to " +
-                                  std::to_string(edge.to) +
-                                  "; a candidate leads from a frame to an earlier one");
+    if (edge.to == edge.from) return Status::invalidInput(place + "leads from a frame to itself");
+    if (edge.to > edge.from) {
+      std::swap(edge.from, edge.to);
+      edge.motion = between(edge.motion, {});
     }
     const auto [first, last] = candidates_.equal_range(edge.from);
     const auto same = std::find_if(
         first, last, [&](const auto& earlier) { return earlier.second.to == edge.to; });
-    if (same != last) {
-      return Status::invalidInput(place + "repeats the candidate of line " +
-                                  std::to_string(same->second.line) + "; remove one of the two");
-    }
+    repeated += same != last ? 1 : 0;
+    if (same != last) continue;
     candidates_.emplace(edge.from, edge);
     looked_.insert({edge.from, edge.to});
+  }
+  if (repeated > 0) {
+    findings.add(
+        {Finding::Severity::Warning, file.string(),
+         "repeats " + std::to_string(repeated) + " candidates; the first of each is used"});
   }
   return Status::ok();
 }
@@ -141,12 +163,12 @@ Status MotionLog::next(Frame& frame) {
   const std::int64_t before = sequence_.sourceIndex(std::max<std::int64_t>(next_ - 1, 0));
   const PlanarPose step = between(at(poses_, before), at(poses_, here));
   frame.sensors.push_back({"motion.planar", {3}, {f(step.x), f(step.y), f(step.theta)}});
-  addCandidates(here, frame);
+  attachCandidates(here, frame);
   ++next_;
   return Status::ok();
 }
 
-void MotionLog::addCandidates(std::int64_t here, Frame& frame) const {
+void MotionLog::attachCandidates(std::int64_t here, Frame& frame) const {
   NamedArray alike = {"place.candidate", {0, 4}, {}};
   const auto [first, last] = candidates_.equal_range(here);
   for (auto edge = first; edge != last; ++edge, ++alike.shape[0]) {

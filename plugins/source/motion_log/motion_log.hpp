@@ -44,14 +44,16 @@ struct LogParameters : FrameSelection {
             parameter("path", &P::path)
                 .path()
                 .required()
-                .doc("Folder of one sequence; the files below are relative to it."),
-            parameter("odometry", &P::odometry).doc("Motion from frame to frame, EDGE_SE2."),
+                .doc("Folder of one sequence with the files below, or one g2o file with motion and "
+                     "loops."),
+            parameter("odometry", &P::odometry)
+                .doc("Motion from frame to frame (EDGE_SE2, EDGE_SE3:QUAT); other edges are "
+                     "candidates."),
             parameter("truth", &P::truth)
-                .doc("True motion, EDGE_SE2; empty: none. Without a file of the default name there "
-                     "is "
-                     "no truth."),
+                .doc("True motion or poses; empty: none. Without a file of the default name there "
+                     "is no truth."),
             parameter("candidates", &P::candidates)
-                .doc("Loop candidates, EDGE_SE2 from a frame to an earlier one; empty for none."),
+                .doc("More loop candidates, edges between two frames; empty for none."),
             parameter("rate", &P::rate).range(0.001, 1e6).unit("Hz").doc("Frames per second."),
             parameter("truth_origin", &P::truth_origin)
                 .doc(
@@ -79,8 +81,9 @@ class MotionLog final : public Source, public ArrayDescriptions {
  private:
   Status loadTruth(const std::filesystem::path& file);
   Status load(FindingCollector& findings);
-  Status loadCandidates();
-  void addCandidates(std::int64_t here, Frame& frame) const;
+  Status addCandidates(const std::filesystem::path& file, const std::vector<Edge>& edges,
+                       const std::vector<std::int64_t>& ids, FindingCollector& findings);
+  void attachCandidates(std::int64_t here, Frame& frame) const;
 
   Parameters parameters_;
   Status ready_ = Status::failed("configure() was not called");

@@ -16,7 +16,9 @@ namespace tolman::ros_bag {
 namespace fs = std::filesystem;
 namespace {
 
-bool isImage(const BagTopic& topic) { return topic.isOf(kImage) || topic.isOf(kCompressedImage); }
+bool isImage(const BagTopic& topic) {
+  return std::ranges::find(kImageTypes, topic.topic.type) != kImageTypes.end();
+}
 
 bool isUsed(const BagTopic& topic) {
   const bool is_known =
@@ -189,6 +191,10 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, BagMessage message, Bytes
   if (known.index.empty()) known.first.assign(bytes.begin(), bytes.end());
   message.has_stamp = *stamp > 0;
   if (message.has_stamp) message.stamp_ns = *stamp;
+  if (isVideo(topic.type)) {
+    const auto packet = readVideo(topic.type, known.message(bytes));
+    message.is_key = packet && packet->is_key;
+  }
   known.index.push_back(message);
   if (known.isOf(kCameraInfo) && known.other_camera.empty()) {
     known.other_camera = cameraChange(known, known.message(bytes));
@@ -219,6 +225,15 @@ void Bag::sortByTime(BagTopic& topic) {
         "they are taken in the order of these times"));
   }
   std::ranges::stable_sort(topic.index, {}, &BagMessage::stamp_ns);
+  const auto key = std::ranges::find(topic.index, true, &BagMessage::is_key);
+  if (key != topic.index.begin()) {
+    topic.findings.push_back(
+        contradiction(Severity::Warning, name,
+                      "begins with " + std::to_string(key - topic.index.begin()) +
+                          " packets of video that cannot be decoded without those before",
+                      "they are left out"));
+    topic.index.erase(topic.index.begin(), key);
+  }
   if (!isImage(topic) && !topic.isOf(kOdometry)) return;
   const auto same = std::ranges::unique(topic.index, {}, &BagMessage::stamp_ns);
   if (same.empty()) return;

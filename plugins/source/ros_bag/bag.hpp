@@ -64,6 +64,7 @@ struct BagMessage {
   std::size_t file = 0;
   MessagePlace place;
   bool has_stamp = false;   ///< its header has a time
+  bool is_key = true;       ///< of a video: decoding can begin here
   std::int64_t number = 0;  ///< among the topic's messages, as they were recorded
 };
 

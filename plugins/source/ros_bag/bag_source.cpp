@@ -35,10 +35,6 @@ std::string summary(const BagTopic& topic) {
          std::string(image->encoding.substr(0, 40));
 }
 
-std::string sizeText(ImageSize size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
-}
-
 Finding warning(std::string where, std::string message, std::string remedy) {
   return {Finding::Severity::Warning, std::move(where), std::move(message), std::move(remedy),
           Finding::Kind::Unusual};
@@ -105,12 +101,19 @@ Status BagSource::reportTopics() const {
 }
 
 Status BagSource::findSize() {
+  const auto sizeOf = [&](const BagTopic& topic, std::size_t index) -> Result<ImageSize> {
+    if (isVideo(topic.topic.type)) {
+      const Result<Image> image = decode(topic, index);
+      if (!image.isOk()) return image.status();
+      return ImageSize{image.value().width(), image.value().height()};
+    }
+    const auto bytes = bag_->read(topic.index[index]);
+    if (!bytes.isOk()) return bytes.status();
+    return imageSize(topic.topic.type, topic.message(bytes.value()));
+  };
   Status status;
-  for (const BagMessage& message : chosen_.left->index) {
-    const auto bytes = bag_->read(message);
-    const auto size =
-        bytes.isOk() ? imageSize(chosen_.left->topic.type, chosen_.left->message(bytes.value()))
-                     : Result<ImageSize>(bytes.status());
+  for (std::size_t i = 0; i < chosen_.left->index.size(); ++i) {
+    const Result<ImageSize> size = sizeOf(*chosen_.left, i);
     status = size.status();
     if (!size.isOk()) continue;
     size_ = size.value();
@@ -171,7 +174,7 @@ Status BagSource::makeSequence() {
   if (chosen_.depth != nullptr && depth_size_ != size_) {
     findings_->add(
         warning(chosen_.depth->topic.name,
-                "has images of " + sizeText(depth_size_) + ", and the camera of " + sizeText(size_),
+                "has images of " + depth_size_.text() + ", and the camera of " + size_.text(),
                 "take depth that is registered to the camera's image"));
   }
   std::vector<std::int64_t> stamps;
@@ -194,7 +197,7 @@ Status BagSource::info(SourceInfo& info) {
   info.description = std::string(ros1 ? "ROS 1 bag, " : "ROS 2 bag, ") +
                      std::to_string(sequence_.size()) +
                      (pair ? " stereo pairs of " : " images of ") + chosen_.left->topic.name +
-                     (pair ? " and " + chosen_.right->topic.name : "") + ", " + sizeText(size_);
+                     (pair ? " and " + chosen_.right->topic.name : "") + ", " + size_.text();
   info.description += rigs_.suffix();
   info.rig = rigs_.rectified;
   info.frames = sequence_.size();
@@ -243,7 +246,33 @@ Status BagSource::next(Frame& frame) {
   return Status::ok();
 }
 
+Result<Image> BagSource::decode(const BagTopic& topic, std::size_t index) {
+  const auto packet = [&](std::size_t i) -> Result<std::vector<std::uint8_t>> {
+    const auto bytes = bag_->read(topic.index[i]);
+    if (!bytes.isOk()) return bytes.status();
+    const auto video = ros_messages::readVideo(topic.topic.type, topic.message(bytes.value()));
+    if (!video) return Status::invalidInput("is no complete message");
+    return std::vector<std::uint8_t>(video->data.begin(), video->data.end());
+  };
+  auto& decoder = decoders_[&topic];
+  if (decoder == nullptr) {
+    const auto first = ros_messages::readVideo(topic.topic.type, topic.firstMessage());
+    if (!first) return Status::invalidInput("has a first message that is not complete");
+    auto opened = coded_video::PacketDecoder::open(first->codec, parameters_.colour);
+    if (!opened.isOk()) return opened.status();
+    decoder = std::move(opened).value();
+  }
+  return decoder->picture(
+      index, {topic.index.size(), [&](std::size_t i) { return topic.index[i].is_key; }, packet});
+}
+
 Result<Image> BagSource::readImage(const BagTopic& topic, std::size_t index) {
+  if (isVideo(topic.topic.type)) {
+    Result<Image> image = decode(topic, index);
+    if (!image.isOk()) return image;
+    const ImageSize found{image.value().width(), image.value().height()};
+    return found == size_ ? image : Status::invalidInput("has another size: " + found.text());
+  }
   const auto bytes = bag_->read(topic.index[index]);
   if (!bytes.isOk()) return bytes.status();
   Result<Image> image =

@@ -2,6 +2,7 @@
 // Source `ros_bag`: images, calibration and other sensors of a bag of ROS 1 or 2, without ROS.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "tolman/roles.hpp"
 #include "topic_choice.hpp"
 #include "used_bits.hpp"
+#include "video_pictures.hpp"
 
 namespace tolman::ros_bag {
 
@@ -38,6 +40,8 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status makeSequence();
   std::int64_t imageStampNs(std::int64_t source_index) const;
   Result<Image> readImage(const BagTopic& topic, std::size_t index);
+  /// The picture of a packet of video.
+  Result<Image> decode(const BagTopic& topic, std::size_t index);
   Result<NamedArray> readDepth(const FrameRow& row);
   std::string roleOf(const BagTopic& topic) const;
 
@@ -46,6 +50,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   ChosenTopics chosen_;
   FrameTable table_;
   SideMeasurements side_;
+  std::map<const BagTopic*, std::unique_ptr<coded_video::PacketDecoder>> decoders_;
   ImageSize size_;
   ImageSize depth_size_;
   CameraRigs rigs_;

@@ -2,7 +2,7 @@
 #include "topic_choice.hpp"
 
 #include <algorithm>
-#include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "camera_rigs.hpp"
@@ -13,7 +13,9 @@ namespace tolman::ros_bag {
 namespace {
 
 using Topics = std::map<std::string, BagTopic>;
-using Types = std::initializer_list<std::string_view>;
+using Types = std::span<const std::string_view>;
+
+Types one(const std::string_view& type) { return {&type, 1}; }
 
 bool isOf(const BagTopic& topic, Types types) {
   // A topic of damaged messages alone is chosen, too: the source then reports what is wrong.
@@ -63,11 +65,11 @@ bool isDepth(const BagTopic& topic) {
 /// Topics of cameras. If the same images are there raw and compressed, only the raw topic.
 std::vector<const BagTopic*> cameraTopics(const Topics& topics) {
   std::vector<const BagTopic*> found;
-  for (const BagTopic* topic : topicsOf(topics, {kImage, kCompressedImage})) {
+  for (const BagTopic* topic : topicsOf(topics, kImageTypes)) {
     const std::string& name = topic->topic.name;
-    const auto plain = topics.find(name.substr(0, name.rfind('/')));
+    const auto plain = topics.find(untransported(name));
     const bool repeated =
-        name.ends_with("/compressed") && plain != topics.end() && isOf(plain->second, {kImage});
+        plain != topics.end() && &plain->second != topic && plain->second.isOf(kImage);
     if (!repeated && !isDepth(*topic)) found.push_back(topic);
   }
   return found;
@@ -76,7 +78,7 @@ std::vector<const BagTopic*> cameraTopics(const Topics& topics) {
 Status chooseCameras(const Topics& topics, const BagParameters& p, ChosenTopics& chosen) {
   const auto choose = [&](const char* parameter, const std::string& name, const BagTopic*& topic) {
     if (name.empty()) return Status::ok();
-    const auto found = named(topics, parameter, name, {kImage, kCompressedImage});
+    const auto found = named(topics, parameter, name, kImageTypes);
     if (found.isOk()) topic = found.value();
     return found.status();
   };
@@ -84,7 +86,7 @@ Status chooseCameras(const Topics& topics, const BagParameters& p, ChosenTopics&
   if (Status status = choose("right", p.right, chosen.right); !status.isOk()) return status;
   const std::vector<const BagTopic*> cameras = cameraTopics(topics);
   if (cameras.empty() && chosen.left == nullptr) {
-    const std::vector<const BagTopic*> depth = topicsOf(topics, {kImage, kCompressedImage});
+    const std::vector<const BagTopic*> depth = topicsOf(topics, kImageTypes);
     return Status::invalidInput(
         depth.empty() ? "the bag has no images; `tolman dataset check` lists its topics"
                       : "the bag has images of depth only (" + listed(depth) +
@@ -108,7 +110,7 @@ Status chooseCameras(const Topics& topics, const BagParameters& p, ChosenTopics&
 /// The topic of CameraInfo for images: /left/camera_info for /left/image_raw.
 const BagTopic* besides(const Topics& topics, const BagTopic& camera) {
   const auto topic = topics.find(infoBeside(camera.topic.name));
-  if (topic != topics.end() && isOf(topic->second, {kCameraInfo})) return &topic->second;
+  if (topic != topics.end() && isOf(topic->second, one(kCameraInfo))) return &topic->second;
   return nullptr;
 }
 
@@ -119,7 +121,7 @@ Status chooseInfo(const Topics& topics, const char* parameter, const std::string
     info = besides(topics, *camera);
     return Status::ok();
   }
-  const auto found = named(topics, parameter, name, {kCameraInfo});
+  const auto found = named(topics, parameter, name, one(kCameraInfo));
   if (found.isOk()) info = found.value();
   return found.status();
 }
@@ -129,11 +131,11 @@ Status chooseSensor(const Topics& topics, const char* parameter, const std::stri
                     std::string_view type, const BagTopic*& sensor,
                     std::vector<Finding>& undecided) {
   if (!name.empty()) {
-    const auto found = named(topics, parameter, name, {type});
+    const auto found = named(topics, parameter, name, one(type));
     if (found.isOk()) sensor = found.value();
     return found.status();
   }
-  const std::vector<const BagTopic*> all = topicsOf(topics, {type});
+  const std::vector<const BagTopic*> all = topicsOf(topics, one(type));
   if (all.size() == 1) sensor = all.front();
   if (all.size() > 1) {
     undecided.push_back({Finding::Severity::Warning, listed(all),
@@ -154,7 +156,7 @@ Result<ChosenTopics> chooseTopics(const Topics& topics, const BagParameters& p) 
   then(chooseInfo(topics, "left_info", p.left_info, chosen.left, chosen.left_info));
   then(chooseInfo(topics, "right_info", p.right_info, chosen.right, chosen.right_info));
   if (status.isOk() && !p.depth.empty()) {
-    const auto depth = named(topics, "depth", p.depth, {kImage, kCompressedImage});
+    const auto depth = named(topics, "depth", p.depth, kImageTypes);
     if (depth.isOk()) chosen.depth = depth.value();
     then(depth.status());
   }

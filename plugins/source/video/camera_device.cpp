@@ -10,10 +10,6 @@
 namespace tolman::video {
 namespace {
 
-std::string pixels(PictureSize size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
-}
-
 class CameraDevice final : public Capture {
  public:
   CameraDevice(std::filesystem::path path, bool colour, const Clock& clock)
@@ -22,7 +18,7 @@ class CameraDevice final : public Capture {
 
   PictureSize size() const override { return size_; }
   std::string description() const override {
-    return "camera " + path_.string() + ", " + pixels(size_);
+    return "camera " + path_.string() + ", " + size_.text();
   }
   Status next(bool wanted, Picture& picture) override;
 
@@ -48,8 +44,8 @@ Status CameraDevice::start(const CameraRequest& request) {
   const bool as_asked = (request.size.width == 0 || request.size.width == size_.width) &&
                         (request.size.height == 0 || request.size.height == size_.height);
   if (as_asked) return Status::ok();
-  return Status::invalidParameter("the camera gives " + pixels(size_) + " instead of " +
-                                  pixels(request.size) +
+  return Status::invalidParameter("the camera gives " + size_.text() + " instead of " +
+                                  request.size.text() +
                                   "; set width and height to a size that it has");
 }
 

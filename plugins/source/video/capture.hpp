@@ -7,17 +7,14 @@
 #include <memory>
 #include <string>
 
+#include "image_size.hpp"
 #include "tolman/context.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::video {
 
-struct PictureSize {
-  int width = 0;   ///< px
-  int height = 0;  ///< px
-  bool operator==(const PictureSize&) const = default;
-};
+using PictureSize = source_parameters::ImageSize;
 
 /// One picture. Its image is empty if it was not requested or is damaged.
 struct Picture {

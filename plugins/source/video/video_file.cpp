@@ -10,7 +10,7 @@
 
 #include "base/text_file.hpp"
 #include "capture.hpp"
-#include "picture_converter.hpp"
+#include "video_pictures.hpp"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -79,7 +79,7 @@ class VideoFile final : public Capture {
   AVPacket* packet_ = nullptr;
   AVFrame* frame_ = nullptr;
   AVStream* stream_ = nullptr;  ///< of container_
-  std::unique_ptr<PictureConverter> converter_;
+  std::unique_ptr<coded_video::PictureConverter> converter_;
   PictureSize size_;
   int quarter_turns_ = 0;
   int read_error_ = 0;        ///< that ended the reading; 0: the end of the file
@@ -96,7 +96,8 @@ class VideoFile final : public Capture {
 Status VideoFile::open(bool colour) {
   Status status = openStream();
   if (status.isOk()) status = openDecoder();
-  if (status.isOk()) converter_ = std::make_unique<PictureConverter>(colour, quarter_turns_);
+  if (status.isOk())
+    converter_ = std::make_unique<coded_video::PictureConverter>(colour, quarter_turns_);
   return status;
 }
 

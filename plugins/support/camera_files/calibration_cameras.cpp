@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "calibration_cameras.hpp"
 
+#include <Eigen/Dense>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <span>
 
 #include "base/number_text.hpp"
 #include "base/text_file.hpp"
@@ -164,34 +167,108 @@ void setSize(FileCamera& found, const Node* width, const Node* height) {
   found.camera.height = sizeOf(height->numbers(1)[0], height->line);
 }
 
-/// A camera in the form that Kalibr and EuRoC share: intrinsics as a list, and the same model
-/// names.
+void setRound(std::string_view name, std::span<const double> parameters, int line,
+              RawCamera& camera) {
+  const std::optional<RadiusByAngle> lens = roundLens(name, parameters);
+  if (!lens) {
+    throw FileError(line, "has " + std::to_string(parameters.size()) + " parameters of the model " +
+                              inQuotes(name) + "; known are ds, eucm (2) and fov (1)");
+  }
+  const Status status = setRoundLens(*lens, camera);
+  if (!status.isOk()) throw FileError(line, status.message());
+}
+
+/// A camera in the form that Kalibr and EuRoC share: intrinsics as a list, those of the lens first,
+/// and the same model names.
 FileCamera listedCamera(const Node& map) {
   FileCamera found;
   found.line = map.line;
   const Node* lens = map.find({"camera_model"});
-  const bool is_mirror = lens != nullptr && lens->text == "omni";
-  if (lens != nullptr && !is_mirror && lens->text != "pinhole") {
-    throw FileError(lens->line, "the camera model " + inQuotes(lens->text) +
-                                    " is not known; calibrate with pinhole or omni");
+  const std::string name = lens == nullptr ? "pinhole" : lens->text;
+  const bool is_mirror = name == "omni";
+  const bool is_round = name == "ds" || name == "eucm";
+  if (!is_mirror && !is_round && name != "pinhole") {
+    throw FileError(lens->line, "the camera model " + inQuotes(name) +
+                                    " is not known; calibrate with pinhole, omni, eucm or ds");
   }
-  const std::vector<double> v = map.need({"intrinsics"}).numbers(is_mirror ? 5 : 4);
-  const std::size_t first = is_mirror ? 1 : 0;
+  const std::size_t first = is_mirror ? 1 : is_round ? 2 : 0;
+  const std::vector<double> v = map.need({"intrinsics"}).numbers(first + 4);
   found.camera.pinhole = {v[first], v[first + 1], v[first + 2], v[first + 3]};
-  const Node& model = map.need({"distortion_model"});
-  setDistortion(model.text, model.line, map.find({"distortion_coeffs", "distortion_coefficients"}),
-                found.camera);
-  if (is_mirror && found.camera.model == LensModel::Equidistant) {
-    throw FileError(lens->line, "omni with equidistant distortion is not known; use omni-radtan");
-  }
-  if (is_mirror) found.camera.model = LensModel::Omnidirectional;
-  if (is_mirror) found.camera.xi = v[0];
   const Node& size = map.need({"resolution"});
   if (size.children.size() != 2) {
     throw FileError(size.line, inQuotes(size.key) + " must be [width, height]");
   }
   setSize(found, &size.children[0], &size.children[1]);
+  if (is_round) {
+    setRound(name, std::span(v).first(2), lens->line, found.camera);
+    return found;
+  }
+  const Node& model = map.need({"distortion_model"});
+  const Node* k = map.find({"distortion_coeffs", "distortion_coefficients"});
+  if (model.text == "fov" && k != nullptr && !is_mirror) {
+    setRound(model.text, k->numbers(), k->line, found.camera);
+    return found;
+  }
+  setDistortion(model.text, model.line, k, found.camera);
+  if (is_mirror && found.camera.model == LensModel::Equidistant) {
+    throw FileError(lens->line, "omni with equidistant distortion is not known; use omni-radtan");
+  }
+  if (is_mirror) found.camera.model = LensModel::Omnidirectional;
+  if (is_mirror) found.camera.xi = v[0];
   return found;
+}
+
+/// Basalt's calibration, JSON: intrinsics and poses in the axes of the inertial sensor, by camera.
+FileCameras basaltCameras(const Node& tree) {
+  const Node& cameras = tree.need({"intrinsics"});
+  const Node& poses = tree.need({"T_imu_cam"});
+  const Node& sizes = tree.need({"resolution"});
+  FileCameras all;
+  for (std::size_t i = 0; i < cameras.children.size(); ++i) {
+    const Node& map = cameras.children[i];
+    if (i >= poses.children.size() || i >= sizes.children.size()) {
+      throw FileError(map.line, "has no pose or resolution for each camera; add them");
+    }
+    const Node& model = map.need({"camera_type"});
+    const Node& values = map.need({"intrinsics"});
+    const auto number = [](const Node& of, const char* name) {
+      return of.need({name}).numbers(1)[0];
+    };
+    FileCamera found;
+    found.line = map.line;
+    found.has_pose = true;
+    const Node& size = sizes.children[i];
+    if (size.children.size() != 2) throw FileError(size.line, "must be [width, height]");
+    setSize(found, &size.children[0], &size.children[1]);
+    found.camera.pinhole = {number(values, "fx"), number(values, "fy"), number(values, "cx"),
+                            number(values, "cy")};
+    std::vector<double> k;
+    for (const char* name : {"k1", "k2", "k3", "k4"}) {
+      if (values.find({name}) != nullptr) k.push_back(number(values, name));
+    }
+    if (model.text == "ds") {
+      setRound("ds", std::array{number(values, "xi"), number(values, "alpha")}, model.line,
+               found.camera);
+    } else if (model.text == "eucm") {
+      setRound("eucm", std::array{number(values, "alpha"), number(values, "beta")}, model.line,
+               found.camera);
+    } else if (model.text == "kb4" || model.text == "pinhole") {
+      const Status status = source_parameters::setLens(
+          model.text == "kb4" ? "kannala_brandt4" : "none", k, found.camera);
+      if (!status.isOk()) throw FileError(model.line, status.message());
+    } else {
+      throw FileError(model.line, "the camera type " + inQuotes(model.text) +
+                                      " is not known; calibrate with pinhole, kb4, eucm or ds");
+    }
+    const Node& pose = poses.children[i];
+    const Eigen::Quaterniond q(number(pose, "qw"), number(pose, "qx"), number(pose, "qy"),
+                               number(pose, "qz"));
+    found.camera.T_reference_camera.linear() = rotationOf(q.toRotationMatrix(), pose.line);
+    found.camera.T_reference_camera.translation() << number(pose, "px"), number(pose, "py"),
+        number(pose, "pz");
+    all.cameras.push_back(std::move(found));
+  }
+  return all;
 }
 
 /// cam0, cam1 ... of a camera chain. Poses are relative to cam0 if the chain has them, otherwise to
@@ -295,6 +372,7 @@ Pinhole pinholeOf(const Eigen::Matrix3d& K, int line) {
 
 FileCameras camerasIn(const Node& tree) {
   if (tree.find({"cam0"}) != nullptr) return kalibrCameras(tree);
+  if (const Node* basalt = tree.find({"value0"})) return basaltCameras(*basalt);
   if (tree.find({"intrinsics"}) != nullptr) return eurocCamera(tree);
   FileCameras all;
   const Names kMatrix = {"camera_matrix", "cameraMatrix", "Camera_Matrix", "K"};
@@ -308,9 +386,66 @@ FileCameras camerasIn(const Node& tree) {
   }
   addStereo(tree, all);
   if (!all.cameras.empty() || all.T_second_first) return all;
-  throw FileError(0,
-                  "is no calibration of Kalibr (cam0), EuRoC (intrinsics), ROS or OpenCV "
-                  "(camera_matrix; M1, D1, M2, D2, R, T); give one of these");
+  throw FileError(
+      0,
+      "is no calibration of Kalibr (cam0), Basalt (value0), EuRoC (intrinsics), ROS or OpenCV "
+      "(camera_matrix; M1, D1, M2, D2, R, T); give one of these");
+}
+
+std::optional<RadiusByAngle> roundLens(std::string_view name, std::span<const double> parameters) {
+  if (name == "ds" && parameters.size() == 2) {
+    return [xi = parameters[0], alpha = parameters[1]](double angle) {
+      const double z = xi + std::cos(angle);
+      return std::sin(angle) / (alpha * std::hypot(std::sin(angle), z) + (1 - alpha) * z);
+    };
+  }
+  if (name == "eucm" && parameters.size() == 2) {
+    return [alpha = parameters[0], beta = parameters[1]](double angle) {
+      const double d = std::hypot(std::sqrt(beta) * std::sin(angle), std::cos(angle));
+      return std::sin(angle) / (alpha * d + (1 - alpha) * std::cos(angle));
+    };
+  }
+  if (name == "fov" && parameters.size() == 1 && parameters[0] > 0) {
+    return [w = parameters[0]](double angle) {
+      return std::atan2(2 * std::tan(w / 2) * std::sin(angle), std::cos(angle)) / w;
+    };
+  }
+  return std::nullopt;
+}
+
+Status setRoundLens(const RadiusByAngle& lens, RawCamera& camera) {
+  constexpr double kStep = 1e-3;      // rad
+  constexpr double kMostError = 0.1;  // px
+  constexpr int kSamples = 400;
+  const Pinhole& K = camera.pinhole;
+  const double farthest = std::hypot(std::max(K.cx, camera.width - K.cx) / K.fx,
+                                     std::max(K.cy, camera.height - K.cy) / K.fy);
+  double widest = 0;  // the angle of the farthest corner, or from which the radius decreases
+  for (double radius = 0; radius < farthest; widest += kStep) {
+    const double next = lens(widest + kStep);
+    if (!(next > radius)) break;
+    radius = next;
+  }
+  Eigen::Matrix<double, kSamples, 5> powers;
+  Eigen::Matrix<double, kSamples, 1> radii;
+  for (int i = 0; i < kSamples; ++i) {
+    const double angle = widest * (i + 1) / kSamples;
+    radii(i) = lens(angle);
+    for (int k = 0; k < 5; ++k) powers(i, k) = std::pow(angle, 2 * k + 1);
+  }
+  const Eigen::Matrix<double, 5, 1> c = powers.colPivHouseholderQr().solve(radii);
+  const double error = (powers * c - radii).cwiseAbs().maxCoeff() * std::max(K.fx, K.fy);
+  if (!(error < kMostError) || !(c[0] > 0)) {
+    return Status::unsupported(
+        "has a lens that the polynomial of Kannala and Brandt does not fit; calibrate with "
+        "equidistant (kb4)");
+  }
+  camera.model = LensModel::Equidistant;
+  camera.distortion.setZero();
+  camera.distortion.head<4>() = c.tail<4>() / c[0];
+  camera.pinhole.fx *= c[0];
+  camera.pinhole.fy *= c[0];
+  return Status::ok();
 }
 
 }  // namespace tolman::camera_files

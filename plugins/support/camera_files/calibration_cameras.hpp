@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras in the calibration files of Kalibr, OpenCV, ROS and EuRoC.
+// Cameras in the calibration files of Kalibr, Basalt, OpenCV, ROS and EuRoC.
 //
 // A YAML or XML file as a tree of maps, lists and values with their line numbers.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 
 #include "given_pinhole.hpp"
 #include "tolman/camera.hpp"
+#include "tolman/status.hpp"
 
 namespace tolman::camera_files {
 
@@ -66,8 +69,8 @@ struct FileCameras {
   std::optional<Eigen::Isometry3d> T_second_first;  ///< OpenCV's R and T
 };
 
-/// Kalibr (camchain.yaml), ROS (camera_info), EuRoC (sensor.yaml), OpenCV (calibration and
-/// stereo_calib). Throws FileError.
+/// Kalibr (camchain.yaml), Basalt (calibration.json), ROS (camera_info), EuRoC (sensor.yaml),
+/// OpenCV (calibration and stereo_calib). Throws FileError.
 FileCameras camerasIn(const Node& tree);
 
 /// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it. Throws FileError.
@@ -84,5 +87,20 @@ Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line);
 
 /// The numbers of a camera matrix. Throws FileError unless it is fx 0 cx 0 fy cy 0 0 1.
 Pinhole pinholeOf(const Eigen::Matrix3d& K, int line);
+
+// Lenses that are symmetric about their axis, as a function of the angle to it. The host knows one
+// family of them, the polynomial of Kannala and Brandt, which fits the others within 0.02 px.
+
+/// Distance from the principal point by angle, rad; for a focal length of 1.
+using RadiusByAngle = std::function<double(double)>;
+
+/// Double sphere (`ds`: xi, alpha; Usenko, Demmel, Cremers 2018), extended unified (`eucm`: alpha,
+/// beta; Khomutenko, Garcia, Martinet 2016), and field of view (`fov`: w; Devernay, Faugeras 2001).
+/// None for another name or number of parameters.
+std::optional<RadiusByAngle> roundLens(std::string_view name, std::span<const double> parameters);
+
+/// Sets model, distortion and focal lengths of a camera whose size and pinhole are set. Unsupported
+/// if the polynomial differs by more than 0.1 px within the image.
+Status setRoundLens(const RadiusByAngle& lens, RawCamera& camera);
 
 }  // namespace tolman::camera_files

@@ -4,10 +4,12 @@
 #include "base/text_file.hpp"
 #include "calibration_cameras.hpp"
 #include "data_error.hpp"
+#include "image_size.hpp"
 
 namespace tolman::camera_files {
 namespace fs = std::filesystem;
 using source_parameters::DataError;
+using source_parameters::ImageSize;
 using text_encoding::rounded;
 
 namespace {
@@ -32,10 +34,6 @@ FileCameras readFile(const fs::path& file, const WantedCameras& wanted) {
   }
 }
 
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height) + " px";
-}
-
 /// Why `K` cannot be that of images of this size (0: of any); empty if it can.
 std::string problemOf(const Pinhole& K, int width, int height) {
   if (!(K.fx > 0 && K.fy > 0 && K.fx < 1e6 && K.fy < 1e6)) {  // px
@@ -44,7 +42,7 @@ std::string problemOf(const Pinhole& K, int width, int height) {
   const bool is_inside = K.cx > 0 && K.cy > 0 && K.cx < width && K.cy < height;
   if (is_inside || width == 0) return "";
   return "the principal point (" + rounded(K.cx) + ", " + rounded(K.cy) +
-         ") is outside of the image of " + sizeText(width, height) +
+         ") is outside of the image of " + ImageSize{width, height}.text() +
          "; give the calibration of these images";
 }
 
@@ -58,8 +56,9 @@ void checkCamera(const fs::path& file, FileCamera& found, const WantedCameras& w
   const bool is_other = camera.width != wanted.width || camera.height != wanted.height;
   if (is_other && wanted.width > 0) {
     throw DataError(file, found.line,
-                    "is the calibration of images of " + sizeText(camera.width, camera.height) +
-                        ", but they have " + sizeText(wanted.width, wanted.height) +
+                    "is the calibration of images of " +
+                        ImageSize{camera.width, camera.height}.text() + ", but they have " +
+                        ImageSize{wanted.width, wanted.height}.text() +
                         "; give the calibration of these images");
   }
   const std::string problem = problemOf(camera.pinhole, camera.width, camera.height);
@@ -161,7 +160,9 @@ RectifiedCameras readRectified(const fs::path& file, const WantedCameras& wanted
 
 bool isRawCalibration(const fs::path& file) {
   const std::string extension = file.extension().string();
-  if (extension == ".yaml" || extension == ".yml" || extension == ".xml") return true;
+  if (extension == ".yaml" || extension == ".yml" || extension == ".xml" || extension == ".json") {
+    return true;
+  }
   const Result<std::string> text = text_encoding::readText(file);
   return text.isOk() && isKittiRaw(text.value());
 }

@@ -200,8 +200,7 @@ bool isRectified(const std::string& topic, const CameraInfos& infos) {
     return std::all_of(info.D.begin(), info.D.end(), zero) && !isTurned(info) &&
            isSame(K, rectifiedPinhole(info));
   };
-  std::string images = topic;  // /left/image_rect_color/compressed
-  if (images.ends_with("/compressed")) images.erase(images.rfind('/'));
+  const std::string images = untransported(topic);  // /left/image_rect_color/compressed
   if (images.substr(images.rfind('/') + 1).starts_with("image_rect")) return true;
   return plain(infos.left) && (!infos.right || plain(*infos.right));
 }

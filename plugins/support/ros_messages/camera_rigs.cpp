@@ -41,8 +41,7 @@ std::optional<CameraNames> chooseCameraNames(const std::vector<std::string>& cam
 }
 
 std::string infoBeside(const std::string& images) {
-  std::string folder = images;
-  if (folder.ends_with("/compressed")) folder.erase(folder.rfind('/'));
+  const std::string folder = untransported(images);
   return folder.substr(0, folder.rfind('/')) + "/camera_info";
 }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <new>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "coded_image.hpp"
 #include "png_decoder.hpp"
@@ -21,33 +23,49 @@ constexpr int kCopy = -1;  // no conversion of colours
 struct PixelLayout {
   std::string_view name;
   int channels;
-  int bytes;  ///< of one channel
+  int bytes;  ///< of one channel; 0: 8 or 16 bits by the end of the name
   int to_gray;
   int to_bgr;
+  bool has_chroma_rows = false;  ///< half as many rows again, of colour
+
+  /// Rows of bytes of an image of this height.
+  int rows(int height) const { return has_chroma_rows ? height + height / 2 : height; }
 };
 
 // OpenCV names Bayer patterns by the second row, columns two and three.
 constexpr std::array kEncodings = {
     PixelLayout{"mono8", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
-    PixelLayout{"8UC1", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
+    PixelLayout{"8uc1", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
     PixelLayout{"mono16", 1, 2, kCopy, cv::COLOR_GRAY2BGR},
     PixelLayout{"bgr8", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
-    PixelLayout{"8UC3", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
+    PixelLayout{"8uc3", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
     PixelLayout{"rgb8", 3, 1, cv::COLOR_RGB2GRAY, cv::COLOR_RGB2BGR},
     PixelLayout{"bgra8", 4, 1, cv::COLOR_BGRA2GRAY, cv::COLOR_BGRA2BGR},
     PixelLayout{"rgba8", 4, 1, cv::COLOR_RGBA2GRAY, cv::COLOR_RGBA2BGR},
-    PixelLayout{"bayer_rggb8", 1, 1, cv::COLOR_BayerBG2GRAY, cv::COLOR_BayerBG2BGR},
-    PixelLayout{"bayer_bggr8", 1, 1, cv::COLOR_BayerRG2GRAY, cv::COLOR_BayerRG2BGR},
-    PixelLayout{"bayer_gbrg8", 1, 1, cv::COLOR_BayerGR2GRAY, cv::COLOR_BayerGR2BGR},
-    PixelLayout{"bayer_grbg8", 1, 1, cv::COLOR_BayerGB2GRAY, cv::COLOR_BayerGB2BGR},
+    PixelLayout{"8uc4", 4, 1, cv::COLOR_BGRA2GRAY, cv::COLOR_BGRA2BGR},
+    PixelLayout{"bayer_rggb", 1, 0, cv::COLOR_BayerBG2GRAY, cv::COLOR_BayerBG2BGR},
+    PixelLayout{"bayer_bggr", 1, 0, cv::COLOR_BayerRG2GRAY, cv::COLOR_BayerRG2BGR},
+    PixelLayout{"bayer_gbrg", 1, 0, cv::COLOR_BayerGR2GRAY, cv::COLOR_BayerGR2BGR},
+    PixelLayout{"bayer_grbg", 1, 0, cv::COLOR_BayerGB2GRAY, cv::COLOR_BayerGB2BGR},
     PixelLayout{"yuv422", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
     PixelLayout{"uyvy", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
     PixelLayout{"yuv422_yuy2", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
-    PixelLayout{"yuyv", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2}};
+    PixelLayout{"yuy2", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
+    PixelLayout{"yuyv", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
+    PixelLayout{"nv12", 1, 1, cv::COLOR_YUV2GRAY_420, cv::COLOR_YUV2BGR_NV12, true},
+    PixelLayout{"nv21", 1, 1, cv::COLOR_YUV2GRAY_420, cv::COLOR_YUV2BGR_NV21, true}};
 
-const PixelLayout* layoutOf(std::string_view encoding) {
-  const auto found = std::ranges::find(kEncodings, encoding, &PixelLayout::name);
-  return found == kEncodings.end() ? nullptr : &*found;
+/// By its name in any case, as V4L2 and ROS write it.
+std::optional<PixelLayout> layoutOf(std::string_view encoding) {
+  std::string name(encoding.substr(0, 40));
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const int bayer_bytes = name.ends_with("16") ? 2 : 1;
+  if (name.starts_with("bayer_")) name.resize(std::string_view("bayer_rggb").size());
+  const auto found = std::ranges::find(kEncodings, name, &PixelLayout::name);
+  if (found == kEncodings.end()) return std::nullopt;
+  PixelLayout layout = *found;
+  if (layout.bytes == 0) layout.bytes = bayer_bytes;
+  return layout;
 }
 
 Status damaged(const Message& message) {
@@ -93,14 +111,22 @@ cv::Mat eightOfSixteen(const ImageMessage& image, ImageSize size, UsedBits& bits
   return pixels;
 }
 
-Result<Image> convertRaw(const ImageMessage& image, bool colour, UsedBits& bits) {
-  const PixelLayout* encoding = layoutOf(image.encoding);
-  if (encoding == nullptr) {
+Result<Image> convertRaw(ImageMessage image, bool colour, UsedBits& bits) {
+  const std::optional<PixelLayout> encoding = layoutOf(image.encoding);
+  if (!encoding) {
     return Status::unsupported("has the encoding '" + std::string(image.encoding.substr(0, 40)) +
                                "', which cannot be converted");
   }
-  const Result<ImageSize> size = plausibleSize(image.width, image.height);
+  Result<ImageSize> size = plausibleSize(image.width, image.height);
   if (!size.isOk()) return size.status();
+  const bool odd = size.value().width % 2 != 0 || size.value().height < 2 ||
+                   size.value().width < 4 ||
+                   (encoding->has_chroma_rows && size.value().height % 2 != 0);
+  size.value().height = encoding->rows(size.value().height);
+  const bool is_packed = image.data.size() == static_cast<std::size_t>(size.value().width) *
+                                                  static_cast<std::size_t>(size.value().height);
+  // Drivers give the bytes of all planes by row, or of one.
+  if (encoding->has_chroma_rows && is_packed) image.step = image.width;
   const Status status = checkRows(image, size.value(), encoding->channels * encoding->bytes);
   if (!status.isOk()) return status;
   cv::Mat pixels =
@@ -110,8 +136,8 @@ Result<Image> convertRaw(const ImageMessage& image, bool colour, UsedBits& bits)
                     const_cast<std::uint8_t*>(image.data.data()), image.step);
   const int conversion = colour ? encoding->to_bgr : encoding->to_gray;
   if (conversion == kCopy) return asImage(pixels.clone());
-  const bool odd = size.value().width % 2 != 0 || size.value().height < 2 || size.value().width < 4;
-  if (odd && (encoding->channels == 2 || encoding->name.starts_with("bayer"))) {
+  const bool is_subsampled = encoding->channels == 2 || encoding->has_chroma_rows;
+  if (odd && (is_subsampled || encoding->name.starts_with("bayer"))) {
     return Status::unsupported("has a size that its encoding cannot have");
   }
   cv::Mat converted;
@@ -155,16 +181,12 @@ Result<std::vector<float>> codedDepth(const CompressedImageMessage& image, Image
   return depth;
 }
 
-std::string sizeText(ImageSize size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
-}
-
 }  // namespace
 
 std::string doubtOfRows(const Message& message) {
   const auto image = readImage(message);
-  const PixelLayout* layout = image ? layoutOf(image->encoding) : nullptr;
-  if (layout == nullptr) return "";
+  const auto layout = image ? layoutOf(image->encoding) : std::nullopt;
+  if (!layout) return "";
   const std::uint64_t row =
       std::uint64_t{image->width} * static_cast<unsigned>(layout->channels * layout->bytes);
   if (row == 0 || image->step < 2 * row || image->step % row != 0) return "";
@@ -208,8 +230,8 @@ Result<Image> convertImage(const std::string& type, const Message& message, bool
   if (!image.isOk()) return image;
   const ImageSize found{image.value().width(), image.value().height()};
   if (found == size) return image;
-  return Status::invalidInput("has " + sizeText(found) + ", and the first of " + first + " has " +
-                              sizeText(size));
+  return Status::invalidInput("has " + found.text() + ", and the first of " + first + " has " +
+                              size.text());
 }
 
 bool isDepth(const std::string& type, const Message& message) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "image_size.hpp"
 #include "messages.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
@@ -11,13 +12,8 @@
 
 namespace tolman::ros_messages {
 
+using source_parameters::ImageSize;
 using source_parameters::UsedBits;
-
-struct ImageSize {
-  int width = 0;   ///< px
-  int height = 0;  ///< px
-  bool operator==(const ImageSize&) const = default;
-};
 
 /// Size of the image in a message of type `type`.
 Result<ImageSize> imageSize(const std::string& type, const Message& message);

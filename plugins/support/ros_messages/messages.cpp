@@ -97,6 +97,51 @@ std::optional<CompressedImageMessage> readCompressedImage(const Message& message
   return image;
 }
 
+namespace {
+
+/// Whether a packet of H.264 or H.265 has parameters or a picture that needs no other one.
+bool beginsAnew(std::string_view codec, Bytes data) {
+  const bool h264 = codec.find("264") != std::string_view::npos;
+  const bool h265 = codec.find("265") != std::string_view::npos;
+  if (!h264 && !h265) return true;
+  for (std::size_t i = 0; i + 3 < data.size(); ++i) {
+    if (data[i] != 0 || data[i + 1] != 0 || data[i + 2] != 1) continue;
+    const int kind = h264 ? data[i + 3] & 0x1f : data[i + 3] >> 1 & 0x3f;
+    if (h264 ? kind == 5 || kind == 7 : (kind >= 16 && kind <= 21) || kind == 32) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<VideoMessage> readVideo(std::string_view type, const Message& message) {
+  FieldReader fields(message);
+  VideoMessage video;
+  readHeader(fields);
+  if (type == kVideoPacket) {
+    fields.number<std::int32_t>();  // width and height
+    fields.number<std::int32_t>();
+    video.codec = fields.text();
+    fields.number<std::uint64_t>();  // the coder's own time
+    video.is_key = (fields.number<std::uint8_t>() & 1U) != 0;
+    fields.number<std::uint8_t>();  // order of bytes of the pictures before they were coded
+    video.data = fields.bytes();
+  } else {
+    video.data = fields.bytes();
+    video.codec = fields.text();
+    video.is_key = beginsAnew(video.codec, video.data);
+  }
+  if (!fields.ok() || video.data.empty()) return std::nullopt;
+  return video;
+}
+
+std::string untransported(const std::string& topic) {
+  for (const std::string_view transport : {"/compressed", "/ffmpeg"}) {
+    if (topic.ends_with(transport)) return topic.substr(0, topic.size() - transport.size());
+  }
+  return topic;
+}
+
 std::optional<CameraInfoMessage> readCameraInfo(const Message& message) {
   FieldReader fields(message);
   CameraInfoMessage info;

@@ -16,6 +16,14 @@ namespace tolman::ros_messages {
 
 inline constexpr std::string_view kImage = "sensor_msgs/msg/Image";
 inline constexpr std::string_view kCompressedImage = "sensor_msgs/msg/CompressedImage";
+/// One packet of a video: of image_transport's plugin for FFmpeg, and of Foxglove.
+inline constexpr std::string_view kVideoPacket = "ffmpeg_image_transport_msgs/msg/FFMPEGPacket";
+inline constexpr std::string_view kCompressedVideo = "foxglove_msgs/msg/CompressedVideo";
+inline constexpr std::array kImageTypes = {kImage, kCompressedImage, kVideoPacket,
+                                           kCompressedVideo};
+inline bool isVideo(std::string_view type) {
+  return type == kVideoPacket || type == kCompressedVideo;
+}
 inline constexpr std::string_view kCameraInfo = "sensor_msgs/msg/CameraInfo";
 inline constexpr std::string_view kImu = "sensor_msgs/msg/Imu";
 inline constexpr std::string_view kOdometry = "nav_msgs/msg/Odometry";
@@ -33,6 +41,12 @@ struct ImageMessage {
 struct CompressedImageMessage {
   std::int64_t stamp_ns = 0;
   std::string_view format;
+  Bytes data;
+};
+
+struct VideoMessage {
+  std::string codec;    ///< "h264", "hevc", ...
+  bool is_key = false;  ///< decoding can begin here
   Bytes data;
 };
 
@@ -63,6 +77,10 @@ struct OdometryMessage {
   std::array<double, 3> angular_velocity{};  ///< rad/s; likewise
 };
 
+/// The topic of the images that image_transport made these of: /left/image_raw for
+/// /left/image_raw/compressed and /left/image_raw/ffmpeg.
+std::string untransported(const std::string& topic);
+
 /// Heading, rad, of an orientation (x, y, z, w) of any length in axes with z upwards.
 double headingOf(const std::array<double, 4>& orientation);
 
@@ -74,6 +92,7 @@ std::optional<std::int64_t> headerStamp(const Message& message);
 /// orientation that is no unit quaternion.
 std::optional<ImageMessage> readImage(const Message& message);
 std::optional<CompressedImageMessage> readCompressedImage(const Message& message);
+std::optional<VideoMessage> readVideo(std::string_view type, const Message& message);
 std::optional<CameraInfoMessage> readCameraInfo(const Message& message);
 std::optional<ImuMessage> readImu(const Message& message);
 std::optional<OdometryMessage> readOdometry(const Message& message);

@@ -19,10 +19,13 @@ namespace tolman::source_parameters {
 
 /// Base of a source's Parameters.
 struct GivenPinhole {
-  std::vector<double> pinhole;  ///< px: [fx, fy, cx, cy], or [f] about the middle of the image
-  double baseline = 0;          ///< m
+  /// px: [fx, fy, cx, cy], or [f] about the middle of the image; of raw images (isRaw())
+  /// coefficients follow.
+  std::vector<double> pinhole;
+  double baseline = 0;  ///< m
 
   bool isGiven() const { return !pinhole.empty(); }
+  bool isRaw() const { return pinhole.size() > 4; }
   /// The rig of images of this size; uncalibrated unless a pinhole is given. InvalidParameter
   /// for a principal point outside of the image.
   Result<CameraRig> rig(int width, int height) const {
@@ -41,21 +44,26 @@ struct GivenPinhole {
     const bool whole = pinhole.size() == 4;
     rig.pinhole = {pinhole[0], whole ? pinhole[1] : pinhole[0],
                    whole ? pinhole[2] : (width - 1) / 2.0, whole ? pinhole[3] : (height - 1) / 2.0};
-    if (rig.pinhole.fy > 0 && rig.pinhole.cx < width && rig.pinhole.cy < height) return rig;
+    if (rig.pinhole.fy > 0 && rig.pinhole.cx >= 0 && rig.pinhole.cy >= 0 &&
+        rig.pinhole.cx < width && rig.pinhole.cy < height)
+      return rig;
     return Status::invalidParameter("the principal point of pinhole is outside of the image of " +
                                     std::to_string(width) + "x" + std::to_string(height) +
                                     " px; give the calibration of this camera");
   }
 };
 
-/// Declarations for a Parameters struct that derives from GivenPinhole.
+/// Declarations for a Parameters struct that derives from GivenPinhole. `least`: of its numbers.
 template <std::derived_from<GivenPinhole> P>
 constexpr auto pinholeParameter(
     std::string_view doc =
         "[fx, fy, cx, cy] of rectified images, or [f] about the middle of the "
-        "image; empty for an uncalibrated camera.") {
-  return parameters(
-      parameter<P, std::vector<double>>("pinhole", &P::pinhole).range(0, 1e6).unit("px").doc(doc));
+        "image; empty for an uncalibrated camera.",
+    double least = 0) {
+  return parameters(parameter<P, std::vector<double>>("pinhole", &P::pinhole)
+                        .range(least, 1e6)
+                        .unit("px")
+                        .doc(doc));
 }
 
 template <std::derived_from<GivenPinhole> P>
@@ -122,6 +130,22 @@ inline Status setLens(std::string_view name, std::span<const double> coefficient
   camera.model = is_fisheye ? LensModel::Equidistant : LensModel::RadialTangential;
   std::copy_n(coefficients.begin(), count, camera.distortion.data());
   return Status::ok();
+}
+
+/// The camera of raw images of this size, of a pinhole with coefficients in OpenCV's order.
+inline Result<RawCamera> rawCamera(const GivenPinhole& given, int width, int height) {
+  const std::span<const double> all(given.pinhole);
+  GivenPinhole straight = given;
+  straight.pinhole.resize(4);
+  const Result<CameraRig> rig = straight.rig(width, height);
+  if (!rig.isOk()) return rig.status();
+  RawCamera camera;
+  camera.width = width;
+  camera.height = height;
+  camera.pinhole = rig.value().pinhole;
+  const Status status = setLens("radtan", all.subspan(4), camera);
+  if (!status.isOk()) return Status::invalidParameter("pinhole " + status.message());
+  return camera;
 }
 
 }  // namespace tolman::source_parameters

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <opencv2/core.hpp>
 
+#include "calibration_cameras.hpp"
 #include "data_error.hpp"
 #include "given_pinhole.hpp"
 #include "support/data.hpp"
@@ -89,6 +90,54 @@ TEST_CASE("Kalibr's camera chain") {
   CHECK(rigOf({folder.write("camchain.yaml", kKalibr)}, {1, 640, 480}).cameras.size() == 1);
 }
 
+TEST_CASE("double sphere, extended unified and FOV, as Kalibr and Basalt write them") {
+  const Folder folder;
+  const auto kalibr = [&](const std::string& model, const std::string& intrinsics,
+                          const std::string& distortion, const std::string& k) {
+    return rigOf(
+               {folder.write("camchain.yaml",
+                             "cam0:\n  camera_model: " + model + "\n  intrinsics: [" + intrinsics +
+                                 "]\n  distortion_model: " + distortion +
+                                 "\n  distortion_coeffs: [" + k + "]\n  resolution: [640, 480]\n")},
+               {1, 640, 480})
+        .cameras[0];
+  };
+  const auto check = [](const RawCamera& camera, const char* name, std::vector<double> parameters,
+                        double focal) {
+    CAPTURE(name);
+    REQUIRE(camera.model == LensModel::Equidistant);
+    const auto lens = camera_files::roundLens(name, parameters);
+    REQUIRE(lens);
+    for (double t = 0.05; t < 0.8; t += 0.05) {
+      const auto& k = camera.distortion;
+      const double s = t * t;
+      const double radius =
+          camera.pinhole.fx * t * (1 + s * (k[0] + s * (k[1] + s * (k[2] + s * k[3]))));
+      CHECK(radius == Approx(focal * (*lens)(t)).margin(0.05));
+    }
+  };
+  check(kalibr("ds", "-0.25, 0.57, 300, 301, 320, 240", "none", ""), "ds", {-0.25, 0.57}, 300);
+  check(kalibr("eucm", "0.63, 1.04, 300, 301, 320, 240", "none", ""), "eucm", {0.63, 1.04}, 300);
+  check(kalibr("pinhole", "300, 301, 320, 240", "fov", "0.9"), "fov", {0.9}, 300);
+  // A mirror of the unified model is an extended one of beta = 1: alpha = xi / (1 + xi).
+  const auto unified = *camera_files::roundLens("eucm", std::vector{0.6, 1.0});
+  CHECK(unified(0.7) == Approx(std::sin(0.7) / (0.6 + 0.4 * std::cos(0.7))));
+  const RawRig basalt = rigOf({folder.write("calibration.json",
+                                            R"({"value0": {"T_imu_cam": [
+            {"px": 0.1, "py": 0, "pz": 0, "qx": 0, "qy": 0, "qz": 0, "qw": 1},
+            {"px": 0.2, "py": 0, "pz": 0, "qx": 0, "qy": 0, "qz": 0, "qw": 1}],
+            "intrinsics": [
+            {"camera_type": "ds", "intrinsics": {"fx": 300, "fy": 300, "cx": 320, "cy": 240,
+             "xi": -0.25, "alpha": 0.57}},
+            {"camera_type": "kb4", "intrinsics": {"fx": 310, "fy": 310, "cx": 320, "cy": 240,
+             "k1": 0.01, "k2": 0, "k3": 0, "k4": 0}}],
+            "resolution": [[640, 480], [640, 480]]}})")},
+                              kPair);
+  check(basalt.cameras[0], "ds", {-0.25, 0.57}, 300);
+  CHECK(basalt.cameras[1].distortion[0] == 0.01);
+  CHECK(basalt.cameras[1].T_reference_camera.translation().x() == 0.2);
+}
+
 TEST_CASE("ROS: a pair prescribes its rectified cameras, a single camera does not") {
   const Folder folder;
   const fs::path left = folder.write("left.yaml", ros("0"));
@@ -153,7 +202,8 @@ TEST_CASE("OpenCV: one camera as the sample program writes it") {
 TEST_CASE("what is missing or cannot be is named with file, line and remedy") {
   const Folder folder;
   CHECK(folder.refusal("a: 1\n") ==
-        "c.yaml: is no calibration of Kalibr (cam0), EuRoC (intrinsics), ROS or OpenCV "
+        "c.yaml: is no calibration of Kalibr (cam0), Basalt (value0), EuRoC (intrinsics), ROS or "
+        "OpenCV "
         "(camera_matrix; M1, D1, M2, D2, R, T); give one of these");
   const std::string camera =
       "camera_model: pinhole\nintrinsics: [400, 400, 320, 240]\n"
@@ -166,9 +216,11 @@ TEST_CASE("what is missing or cannot be is named with file, line and remedy") {
     return folder.refusal(text, wanted);
   };
   CHECK(refusal("radial-tangential", "1, 2, 3, 4").empty());
-  CHECK(refusal("fov", "1") ==
-        "c.yaml:4: has the distortion model 'fov', which is not known; calibrate with radtan "
-        "(plumb_bob), rational_polynomial or equidistant");
+  CHECK(refusal("fov", "1").empty());
+  CHECK(
+      refusal("polynomial", "1") ==
+      "c.yaml:4: has the distortion model 'polynomial', which is not known; calibrate with radtan "
+      "(plumb_bob), rational_polynomial or equidistant");
   CHECK(refusal("equidistant", "1, 2, 3, 4, 5") ==
         "c.yaml:4: has 5 coefficients of the model 'equidistant'; known are 4");
   CHECK(refusal("radtan", "1, 2, x, 4") == "c.yaml:4: 'x' is no finite number; correct it");

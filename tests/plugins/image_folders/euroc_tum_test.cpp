@@ -149,6 +149,16 @@ TEST_CASE("depth goes along in metres; images without depth are left out") {
   REQUIRE(tum.findings.size() == 1);
   CHECK_THAT(tum.findings[0], Catch::Contains("no depth near the time of 1 colour"));
   data.remove("depth.txt");
+  const Tum raw(data, {{"pinhole", std::vector<double>{50, 51, 31.5, 23.5, 0.26, -0.95, -0.005}}});
+  CHECK_THAT(raw.message, Catch::Contains("coefficients"));  // 3 are of no model
+  const std::vector<double> fr1 = {50, 51, 31.5, 23.5, 0.26, -0.95, -0.005, 0.002, 1.16};
+  const Tum distorted(data, {{"pinhole", fr1}});
+  INFO(distorted.message);
+  REQUIRE(distorted.raw.cameras.size() == 1);
+  CHECK_FALSE(distorted.info.rig.calibrated);
+  CHECK(distorted.raw.cameras[0].model == LensModel::RadialTangential);
+  CHECK(distorted.raw.cameras[0].pinhole.fy == 51);
+  CHECK(distorted.raw.cameras[0].distortion[4] == 1.16);
   const Tum plain(data, {{"pinhole", std::vector<double>{50, 50, 31.5, 23.5}}});
   CHECK(plain.frames.size() == 3);
   CHECK(plain.frames[0].sensors.empty());

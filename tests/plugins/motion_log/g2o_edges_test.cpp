@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planar edges: the round trip, chains against products of matrices, and invalid files.
+// Pose graphs: the round trip, chains against products of matrices, drives as they are published
+// (chain and loops in one file, spatial, with vertices), and invalid files.
 #include "g2o_edges.hpp"
 
 #include <sys/stat.h>
@@ -22,7 +23,7 @@ struct EdgeFile {
   explicit EdgeFile(const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
   std::string refusal() const {
-    const auto edges = readEdges(path);
+    const auto edges = readGraph(path);
     REQUIRE_FALSE(edges.isOk());
     REQUIRE(edges.status().code() == StatusCode::InvalidInput);
     std::string message = edges.status().message();
@@ -60,16 +61,16 @@ TEST_CASE("edges come back to the last bit, with Windows line ends and any blank
     std::string text;
     for (const Edge& edge : written) text += edgeText(edge, end);
     const EdgeFile file(text);
-    const auto read = readEdges(file.path);
+    const auto read = readGraph(file.path);
     CAPTURE(end, read.status().message());
     REQUIRE(read.isOk());
-    REQUIRE(read.value().size() == written.size());
+    REQUIRE(read.value().edges.size() == written.size());
     for (std::size_t i = 0; i < written.size(); ++i) {
-      REQUIRE(read.value()[i].from == written[i].from);
-      REQUIRE(read.value()[i].to == written[i].to);
-      REQUIRE(read.value()[i].motion.x == written[i].motion.x);
-      REQUIRE(read.value()[i].motion.y == written[i].motion.y);
-      REQUIRE(read.value()[i].motion.theta == written[i].motion.theta);
+      REQUIRE(read.value().edges[i].from == written[i].from);
+      REQUIRE(read.value().edges[i].to == written[i].to);
+      REQUIRE(read.value().edges[i].motion.x == written[i].motion.x);
+      REQUIRE(read.value().edges[i].motion.y == written[i].motion.y);
+      REQUIRE(read.value().edges[i].motion.theta == written[i].motion.theta);
     }
   }
 }
@@ -80,14 +81,14 @@ TEST_CASE("a chain is the product of its steps' matrices") {
     std::string text;
     for (const Edge& edge : edges) text += edgeText(edge);
     const EdgeFile file(text);
-    const auto poses = readChain(file.path);
+    const auto poses = readDrive(file.path);
     REQUIRE(poses.isOk());
-    REQUIRE(poses.value().size() == 301);
+    REQUIRE(poses.value().poses.size() == 301);
     Eigen::Isometry2d T = Eigen::Isometry2d::Identity();
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const PlanarPose& m = edges[i].motion;
       T = T * Eigen::Translation2d(m.x, m.y) * Eigen::Rotation2Dd(m.theta);
-      const PlanarPose& pose = poses.value()[i + 1];
+      const PlanarPose& pose = poses.value().poses[i + 1];
       REQUIRE(pose.x == Approx(T.translation().x()).margin(1e-9));
       REQUIRE(pose.y == Approx(T.translation().y()).margin(1e-9));
       REQUIRE(std::cos(pose.theta) == Approx(T.linear()(0, 0)).margin(1e-9));
@@ -99,20 +100,24 @@ TEST_CASE("a chain is the product of its steps' matrices") {
 TEST_CASE("a line with too few, wild or wrong numbers is refused by its number") {
   for (const char* line : {"EDGE_SE2", "EDGE_SE2 0 1", "EDGE_SE2 0 1 1 0", "EDGE_SE2 0 1 nan 0 0",
                            "EDGE_SE2 0 1 0 inf 0", "EDGE_SE2 0 1 0 0 1e400", "EDGE_SE2 -1 0 0 0 0",
-                           "EDGE_SE2 0 -1 0 0 0", "EDGE_SE2 0 100000000 0 0 0",
-                           "EDGE_SE2 0 99999999999999999999 0 0 0", "EDGE_SE2 0.5 1 0 0 0",
-                           "EDGE_SE2 0 1 1,5 0 0", "EDGE_SE2 a b c d e"}) {
+                           "EDGE_SE2 0 -1 0 0 0", "EDGE_SE2 0 99999999999999999999 0 0 0",
+                           "EDGE_SE2 0.5 1 0 0 0", "EDGE_SE2 0 1 1,5 0 0", "EDGE_SE2 a b c d e"}) {
     const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n\n") + line + "\n");
     CAPTURE(line);
     CHECK(file.refusal() ==
           ":3: needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it");
   }
-  for (const char* line : {"EDGE_SE3:QUAT 0 1", "edge_se2 0 1 1 0 0", "0 1 1 0 0", "\xff\xfe",
-                           "EDGE_SE2_XY 0 1 1 0 0"}) {
+  for (const char* line : {"edge_se2 0 1 1 0 0", "0 1 1 0 0", "\xff\xfe", "EDGE2 0 1 1 0 0"}) {
     const EdgeFile file(std::string("# first\n") + line);
     CAPTURE(line);
-    CHECK(file.refusal() == ":2: is no EDGE_SE2; a motion log has planar edges only");
+    CHECK(file.refusal() ==
+          ":2: is no line of a g2o file (EDGE_SE2, EDGE_SE3:QUAT, VERTEX_..., FIX)");
   }
+  CHECK(
+      EdgeFile("EDGE_SE3:QUAT 0 1 1 0 0 0 0 1").refusal() ==
+      ":1: needs two ids from 0 and seven numbers (x y z qx qy qz qw) of at most 1e9; correct it");
+  CHECK(EdgeFile("EDGE_SE3:QUAT 0 1 1 0 0 0 0 1 1").refusal() ==
+        ":1: has no unit quaternion (qx qy qz qw); correct it");
 }
 
 TEST_CASE("six information values of a positive definite matrix are demanded") {
@@ -156,7 +161,7 @@ TEST_CASE("positive definite means that every eigenvalue is positive") {
     const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(M).eigenvalues().x();
     if (std::abs(least) < 1e-9) continue;
     definite += least > 0 ? 1 : 0;
-    REQUIRE(readEdges(EdgeFile(text.str()).path).isOk() == (least > 0));
+    REQUIRE(readGraph(EdgeFile(text.str()).path).isOk() == (least > 0));
   }
   CHECK(definite > 10);
 }
@@ -165,7 +170,7 @@ TEST_CASE("a byte order mark is no part of the first line") {
   const EdgeFile file(
       "\xEF\xBB\xBF"
       "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n");
-  CHECK(readEdges(file.path).value().size() == 1);
+  CHECK(readGraph(file.path).value().edges.size() == 1);
 }
 
 TEST_CASE("every recorded motion of the real sequences is accepted", "[data]") {
@@ -173,31 +178,84 @@ TEST_CASE("every recorded motion of the real sequences is accepted", "[data]") {
     const auto folder = test::dataOrSkip(std::string("kitti_motion/") + name);
     if (!folder) return;
     for (const char* file : {"odometry.g2o", "ground_truth.g2o"}) {
-      const auto chain = readChain(*folder / file);
+      const auto chain = readDrive(*folder / file);
       INFO(chain.status().message());
       CHECK(chain.isOk());
     }
-    CHECK(readEdges(*folder / "loop_candidates.g2o").isOk());
+    CHECK(readGraph(*folder / "loop_candidates.g2o").isOk());
   }
 }
 
-TEST_CASE("vertices, fixed ones and comments are passed over") {
-  const EdgeFile file("VERTEX_SE2 0 nan\nFIX 0\n#EDGE_SE2\n\n  \nVERTEX_TRACKXYZ 3\n");
-  const auto edges = readEdges(file.path);
-  REQUIRE(edges.isOk());
-  CHECK(edges.value().empty());
-  CHECK(readChain(file.path).status().message() == file.path.string() + " has no edges");
+TEST_CASE("fixed poses, parameters and comments are passed over, landmarks are counted") {
+  const EdgeFile file(
+      "VERTEX_SE2 0 0 0 0\nFIX 0\n#EDGE_SE2\n\n  \nVERTEX_TRACKXYZ 3\nPARAMS_SE2OFFSET 0\n"
+      "EDGE_SE2_XY 0 3 1 1 1 0 1\nEDGE_SE2_XY 0 3 1 1 1 0 1\n");
+  const auto graph = readGraph(file.path);
+  REQUIRE(graph.isOk());
+  CHECK(graph.value().edges.empty());
+  REQUIRE(graph.value().findings.size() == 1);
+  CHECK(graph.value().findings[0].message.starts_with("has 2 EDGE_SE2_XY, which are not used"));
+  CHECK(readDrive(file.path).status().message() == file.path.string() + " has no edges");
 }
 
-TEST_CASE("chains that skip, repeat or turn back are refused where they do") {
-  for (const char* second : {"EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1", "EDGE_SE2 2 3 1 0 0 1 0 0 1 0 1",
-                             "EDGE_SE2 1 0 1 0 0 1 0 0 1 0 1", "EDGE_SE2 1 3 1 0 0 1 0 0 1 0 1",
-                             "EDGE_SE2 1 1 1 0 0 1 0 0 1 0 1"}) {
-    const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n") + second + "\n");
-    CAPTURE(second);
-    CHECK(readChain(file.path).status().message() ==
-          file.path.string() + ":2: should lead from 1 to 2; sort the edges and fill the gaps");
-    CHECK(readEdges(file.path).isOk());  // loop candidates may
+TEST_CASE("a published graph is a drive: any order, ids and directions, with its loops") {
+  // Ids 7, 8, 9, 12. The second step is written backwards, the loop comes first.
+  const std::string end = " 1 0 0 1 0 1\n";
+  const EdgeFile file("EDGE_SE2 7 12 0.1 0.2 0.3" + end + "EDGE_SE2 9 12 2 0 0.5" + end +
+                      "EDGE_SE2 9 8 0 1 -1.5707963267948966" + end + "EDGE_SE2 7 8 1 0 0" + end +
+                      "EDGE_SE2 7 8 9 9 0" + end);
+  const auto drive = readDrive(file.path);
+  INFO(drive.status().message());
+  REQUIRE(drive.isOk());
+  CHECK(drive.value().ids == std::vector<std::int64_t>{7, 8, 9, 12});
+  const std::vector<PlanarPose>& poses = drive.value().poses;
+  REQUIRE(poses.size() == 4);
+  CHECK(poses[1].x == 1);
+  CHECK(poses[2].x == Approx(2));  // one metre on and turned to the left
+  CHECK(poses[2].y == Approx(0).margin(1e-12));
+  CHECK(poses[2].theta == Approx(std::acos(0)));
+  CHECK(poses[3].y == Approx(2));
+  REQUIRE(drive.value().others.size() == 1);
+  CHECK(drive.value().others[0].to == 12);
+  REQUIRE(drive.value().findings.size() == 1);
+  CHECK(drive.value().findings[0].message.starts_with("has 1 more edges between successive"));
+}
+
+TEST_CASE("vertices give the motion where no edge does, and nothing else") {
+  const std::string chain = "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 2 3 1 0 0 1 0 0 1 0 1\n";
+  CHECK(
+      readDrive(EdgeFile(chain).path)
+          .status()
+          .message()
+          .ends_with(": no edge leads from 1 to 2, and there are no vertices of the two; add one"));
+  const EdgeFile file("VERTEX_SE2 0 5 5 0\nVERTEX_SE2 1 9 9 0\nVERTEX_SE2 2 9 9.5 0\n" + chain);
+  const auto drive = readDrive(file.path);
+  REQUIRE(drive.isOk());
+  CHECK(drive.value().poses[2].x == Approx(1));
+  CHECK(drive.value().poses[2].y == Approx(0.5));
+  CHECK(drive.value().findings.size() == 1);
+}
+
+TEST_CASE("spatial graphs are planar motion, in the axes of a vehicle or of a camera") {
+  // 2 m on and a turn of 0.6 rad to the left: about z upwards, or about y downwards.
+  std::string unit;
+  for (int row = 0; row < 6; ++row) unit += " 1" + std::string(row < 5 ? 5 - row : 0, 'o');
+  std::string information;
+  for (const char letter : unit) information += letter == 'o' ? " 0" : std::string(1, letter);
+  const std::string vehicle = "2 0 0.1 0 0 0.29552020666 0.95533648913";
+  const std::string camera = "0 -0.1 2 0 -0.29552020666 0 0.95533648913";
+  for (const std::string& step : {vehicle, camera}) {
+    const EdgeFile file("EDGE_SE3:QUAT 0 1 " + step + information + "\nEDGE_SE3:QUAT 1 2 " + step +
+                        information + "\n");
+    const auto drive = readDrive(file.path);
+    INFO(drive.status().message());
+    REQUIRE(drive.isOk());
+    const PlanarPose end = drive.value().poses.at(2);
+    CHECK(end.x == Approx(2 + 2 * std::cos(0.6)));
+    CHECK(end.y == Approx(2 * std::sin(0.6)));
+    CHECK(end.theta == Approx(1.2));
+    REQUIRE(drive.value().findings.size() == 1);
+    CHECK(drive.value().findings[0].severity == Finding::Severity::Note);  // 5 % are flat
   }
 }
 
@@ -206,7 +264,7 @@ TEST_CASE("folders, pipes and files that are not there are refused without waiti
   const std::filesystem::path pipe = folder.path() / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   for (const std::filesystem::path& path : {folder.path(), pipe, folder.path() / "nothing"}) {
-    CHECK(readEdges(path).status().message().ends_with("correct the path"));
+    CHECK(readGraph(path).status().message().ends_with("correct the path"));
   }
 }
 
@@ -217,10 +275,10 @@ TEST_CASE("values that a double cannot hold are refused, a plus sign is not") {
         ":1: '1e-999' is too small for a double (write 0); correct it");
   CHECK(EdgeFile("EDGE_SE2 0 1 1x 0 0 1 0 0 1 0 1\n").refusal().starts_with(":1: needs two ids"));
   const EdgeFile plus("EDGE_SE2 0 1 +1.5 -0.5 +0.1 +1 0 0 1 0 1\n");
-  const auto edges = readEdges(plus.path);
+  const auto edges = readGraph(plus.path);
   REQUIRE(edges.isOk());
-  CHECK(edges.value().at(0).motion.x == 1.5);
-  CHECK(edges.value().at(0).motion.theta == 0.1);
+  CHECK(edges.value().edges.at(0).motion.x == 1.5);
+  CHECK(edges.value().edges.at(0).motion.theta == 0.1);
 }
 
 }  // namespace tolman::motion_log

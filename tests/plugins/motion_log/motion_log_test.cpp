@@ -136,7 +136,7 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
     square.write("odometry.g2o",
                  "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 2 3 1 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
-          "odometry.g2o:2: should lead from 1 to 2; sort the edges and fill the gaps");
+          "odometry.g2o: no edge leads from 1 to 2, and there are no vertices of the two; add one");
   }
   SECTION("not a number") {
     square.write("odometry.g2o", "EDGE_SE2 0 1 1 zero 0 1 0 0 1 0 1\n");
@@ -147,10 +147,6 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
   SECTION("infinite") {
     square.write("odometry.g2o", "EDGE_SE2 0 1 1e999 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square).starts_with("odometry.g2o:1: needs two ids"));
-  }
-  SECTION("spatial") {
-    square.write("odometry.g2o", "EDGE_SE3:QUAT 0 1 1 0 0 0 0 0 1\n");
-    CHECK(refusal(square) == "odometry.g2o:1: is no EDGE_SE2; a motion log has planar edges only");
   }
   SECTION("truth of another sequence") {
     square.write("ground_truth.g2o", "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n");
@@ -169,13 +165,6 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
     CHECK_THAT(source.configure(context).message(),
                Catch::EndsWith("mine.g2o: is missing; restore it, or correct the path"));
   }
-  SECTION("a candidate that is given twice") {
-    square.write("loop_candidates.g2o",
-                 "EDGE_SE2 4 0 0 0 0 1 0 0 1 0 1\nEDGE_SE2 4 1 0 0 0 1 0 0 1 0 1\n"
-                 "EDGE_SE2 3 0 0 0 0 1 0 0 1 0 1\nEDGE_SE2 4 0 9 0 0 1 0 0 1 0 1\n");
-    CHECK(refusal(square) ==
-          "loop_candidates.g2o:4: repeats the candidate of line 1; remove one of the two");
-  }
   SECTION("cut within a number") {
     square.write("odometry.g2o", "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0.00");
     CHECK(refusal(square).starts_with("odometry.g2o:2: needs two ids"));
@@ -184,18 +173,37 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
           "odometry.g2o:2: has 0 information values instead of six after dx dy dtheta; the file "
           "may be cut off");
   }
-  SECTION("a candidate from the future") {
-    square.write("loop_candidates.g2o", "EDGE_SE2 1 3 0 0 0 1 0 0 1 0 1\n");
-    CHECK(refusal(square) ==
-          "loop_candidates.g2o:1: leads from frame 1 to 3; a candidate leads from a frame to an "
-          "earlier one");
-  }
   SECTION("a candidate beyond the end") {
     square.write("loop_candidates.g2o", "EDGE_SE2 9 3 0 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
           "loop_candidates.g2o:1: there is no frame 9; the odometry has 5, and the candidates must "
           "be of the same drive");
   }
+}
+
+TEST_CASE("one file with motion and loops is a drive with candidates to earlier frames") {
+  const Square square;
+  square.write("square.g2o",
+               "VERTEX_SE2 0 0 0 0\nEDGE_SE2 1 4 0 0 1.5 1 0 0 1 0 1\n"
+               "EDGE_SE2 2 3 2 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 0 1 2 0 1.5707963 1 0 0 1 0 1\n"
+               "EDGE_SE2 3 4 2 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.5707963 1 0 0 1 0 1\n"
+               "EDGE_SE2 4 1 0.5 0 0 1 0 0 1 0 1\nEDGE_SE2 4 0 0.5 0 0 1 0 0 1 0 1\n");
+  TestContext context({{"path", (square.folder.path() / "square.g2o").string()}, {"rate", 1.0}});
+  MotionLog source;
+  REQUIRE(source.configure(context).isOk());
+  REQUIRE(context.findings.size() == 1);
+  CHECK(context.findings[0].message == "repeats 1 candidates; the first of each is used");
+  SourceInfo info;
+  REQUIRE(source.info(info).isOk());
+  CHECK_FALSE(info.has_truth);  // that of the folder is of another drive
+  Frame frame;
+  for (int i = 0; i < 5; ++i) REQUIRE(source.next(frame = {}).isOk());
+  const NamedArray& alike = frame.sensors.at(1);
+  REQUIRE(alike.shape == std::vector<int>{2, 4});
+  CHECK(alike.values[0] == 1);  // backwards, so inverted
+  CHECK(alike.values[3] == -1.5F);
+  CHECK(alike.values[4] == 0);
+  CHECK(alike.values[5] == 0.5F);
 }
 
 TEST_CASE("garbage never crashes the reader") {

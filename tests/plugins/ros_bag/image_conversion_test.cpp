@@ -131,6 +131,26 @@ TEST_CASE("16 bit, rows with bytes behind them, and YUV") {
   CHECK(grey.value().row(3)[3] == 0x50);
 }
 
+TEST_CASE("encodings of cameras by V4L2, in any case of letters, and Bayer patterns of 16 bits") {
+  for (const char* encoding : {"yuyv", "YUYV", "YUY2", "yuv422_yuy2"}) {
+    CHECK(convert(flat(encoding, "\x50\x80"), false).value().row(3)[3] == 0x50);
+  }
+  for (const auto& [encoding, chroma] :
+       {std::pair{"nv12", "\x80\xc8\x80\xc8"}, {"NV21", "\xc8\x80\xc8\x80"}}) {
+    const test::RosImage image{1, 4, 4, encoding, std::string(16, '\x50') + chroma + chroma};
+    CHECK(convert(image, false).value().row(3)[3] == 0x50);
+    const auto [blue, green, red] = pixelOf(convert(image, true).value(), 3, 3);
+    CHECK(blue < green);  // V is 200, of red
+    CHECK(red > 150);
+    test::RosImage cut = image;
+    cut.pixels.pop_back();
+    CHECK_FALSE(convert(cut, false).isOk());
+  }
+  test::RosImage deep{1, 4, 4, "bayer_rggb16", ""};
+  for (int i = 0; i < 16; ++i) deep.pixels += std::string("\x34\x12", 2);
+  CHECK(convert(deep, false).value().row(2)[2] == 0x12);
+}
+
 TEST_CASE("a JPEG and a PNG image in a message, and cut ones") {
   cv::Mat picture(24, 32, CV_8UC1);
   for (int x = 0; x < 32; ++x) picture.col(x).setTo(8 * x);

@@ -11,11 +11,24 @@ import tolman
 WALL_TURN = 5.0  # rad/s, at a wall
 
 
+def _named(units):
+    """Factors by the names of units, in singular and plural."""
+    return {name: factor for names, factor in units for word in names.split() for name in (word, word + "s")}
+
+
+_METRES = _named([("m meter metre", 1), ("dm decimeter decimetre", 0.1), ("cm centimeter centimetre", 0.01), ("mm millimeter millimetre", 0.001),
+                  ("um \u00b5m \u03bcm micron micrometer micrometre", 1e-6), ("km kilometer kilometre", 1000), ("in inch inche", 0.0254)])
+_SECONDS = _named([("s sec second", 1), ("ms msec millisecond", 1e-3), ("us \u00b5s \u03bcs usec microsecond", 1e-6), ("ns nsec nanosecond", 1e-9),
+                   ("min minute", 60), ("h hour", 3600)])
+
+
 class Trajectory(tolman.Source):
     """The motion along any path (CSV, NWB, or a random walk in a box), and views of its places, without images."""
 
     path: pathlib.Path = tolman.parameter("", doc="CSV with columns t (s), x, y (m; x forward, y left) and perhaps heading (rad), or NWB. "
                                           "Empty: a random walk in a box.")
+    series: str = tolman.parameter("", doc="Series of positions in an NWB file, by its name; empty: the only one.")
+    metres: float = tolman.parameter(0, range=(0, 1000), unit="m", doc="Length of one unit of the positions in an NWB file, e.g. pixels; 0: by its unit.")
     rate: float = tolman.parameter(10, range=(0.1, 1000), unit="Hz", doc="Frames a second; positions are interpolated.")
     duration: float = tolman.parameter(600, range=(1, 1e5), unit="s", doc="Of the random walk.")
     side: float = tolman.parameter(1.5, range=(0.1, 1e5), unit="m", doc="Of the box of the random walk.")
@@ -110,19 +123,40 @@ class Trajectory(tolman.Source):
         except ImportError:
             raise tolman.Unsupported("NWB needs python3-h5py") from None
         with h5py.File(self.path) as file:
-            series = []
-            file["processing"].visititems(lambda name, item: series.append(item) if isinstance(item, h5py.Group) and
-                                          item.attrs.get("neurodata_type") == "SpatialSeries" and item["data"].ndim == 2 else None)
-            if not series:
-                raise tolman.InvalidInput(f"{self.path}: has no SpatialSeries of positions")
-            data = series[0]["data"][:, :2] * series[0]["data"].attrs.get("conversion", 1.0)
-            if "timestamps" in series[0]:
-                t = series[0]["timestamps"][:]
-            else:
-                start = series[0]["starting_time"]
-                t = start[()] + np.arange(len(data)) / start.attrs["rate"]
+            series = self._series(file, h5py)
+            stored = series["data"]
+            of = stored.attrs
+            unit = self.metres or self._factor(_METRES, of.get("unit", "meters"), "set metres, the length of one unit")
+            data = (stored[:, :2] * of.get("conversion", 1.0) + of.get("offset", 0.0)) * unit
+            times = series["timestamps" if "timestamps" in series else "starting_time"]
+            second = self._factor(_SECONDS, times.attrs.get("unit", "seconds"), "write the times in seconds")
+            t = second * (times[:] if times.ndim else times[()] + np.arange(len(data)) / times.attrs["rate"])
         known = np.isfinite(data).all(axis=1)  # trackers lose the animal
         return t[known], data[known, 0], data[known, 1], None
+
+    def _series(self, file, h5py):
+        """The series of positions: of a Position if there is one, with two columns or more; the only one, or the named one."""
+        found = {}
+
+        def visit(name, item):
+            is_series = isinstance(item, h5py.Group) and item.attrs.get("neurodata_type") == "SpatialSeries"
+            if is_series and item["data"].ndim == 2 and item["data"].shape[1] >= 2:
+                found[name] = item
+
+        file.visititems(visit)
+        placed = {name: item for name, item in found.items() if item.parent.attrs.get("neurodata_type") == "Position"}
+        found = {name: item for name, item in (placed or found).items() if not self.series or name.endswith("/" + self.series)}
+        if len(found) == 1:
+            return next(iter(found.values()))
+        if not found:
+            raise tolman.InvalidInput(f"{self.path}: has no SpatialSeries of positions" + (f" named {self.series}" if self.series else ""))
+        raise tolman.InvalidInput(f"{self.path}: has several series of positions; set series to one of: {', '.join(found)}")
+
+    def _factor(self, units, unit, remedy):
+        name = unit.decode() if isinstance(unit, bytes) else str(unit)
+        if name.lower() not in units:
+            raise tolman.InvalidInput(f"{self.path}: has the unit '{name}', which is not known; {remedy}")
+        return units[name.lower()]
 
     def info(self):
         return tolman.SourceInfo(f"path of {len(self.poses)} frames", frames=len(self.poses), has_truth=True)
