@@ -140,7 +140,7 @@ TEST_CASE("encodings of cameras by V4L2, in any case of letters, and Bayer patte
     const test::RosImage image{1, 4, 4, encoding, std::string(16, '\x50') + chroma + chroma};
     CHECK(convert(image, false).value().row(3)[3] == 0x50);
     const auto [blue, green, red] = pixelOf(convert(image, true).value(), 3, 3);
-    CHECK(blue < green);  // V is 200, of red
+    CHECK(green < blue);  // V is 200: more red, less green
     CHECK(red > 150);
     test::RosImage cut = image;
     cut.pixels.pop_back();
