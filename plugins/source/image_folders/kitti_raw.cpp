@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `kitti_raw`: a drive with image_00/data, image_01/data, timestamps.txt; its calibration beside it.
+// `kitti_raw`: a drive with image_00/data, image_01/data, timestamps.txt; its calibration beside
+// it.
 #include "data_error.hpp"
 #include "image_file.hpp"
 #include "layouts.hpp"
