@@ -222,8 +222,8 @@ std::vector<std::string> changedInputs(const Json& before, const Json& now) {
   const auto contents = [](const Json& data) {
     return std::pair(data.value("bytes", 0LL), data.value("sha256", std::string()));
   };
-  for (const Json& data : now.value("data", Json::array())) {
-    const Json then = before.value("data", Json::array());
+  const Json then = before.value("data", Json());  // null: of a version without digests
+  for (const Json& data : then.is_null() ? Json::array() : now.at("data")) {
     if (std::ranges::none_of(then,
                              [&](const Json& old) { return contents(old) == contents(data); })) {
       changed.push_back(data.at("path").get<std::string>());

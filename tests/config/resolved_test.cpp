@@ -69,6 +69,7 @@ rectification:
   scale: 1
 images:
   crop: []
+  mask: []
   scale: 1
 source:
   plugin: toy_source

@@ -198,6 +198,7 @@ class MapGraph:
     experiences: list = field(default_factory=list)
     links: list = field(default_factory=list)
     rejected: list = field(default_factory=list)
+    residuals: list = field(default_factory=list)
 
 
 @dataclass(slots=True)

@@ -56,9 +56,10 @@ class Sweep:
 def _point(folder):
     """Factors of a planned run, and whether it is done; {} for a folder that is missing or damaged."""
     point = _object(folder / "point.json")
-    if not isinstance(point.get("factors"), dict):
+    factors = point.get("factors")
+    if not isinstance(factors, list):
         return {}, False
-    return point["factors"], _object(folder / "outcome.json").get("state") == "done"
+    return {factor["name"]: factor["label"] for factor in factors}, _object(folder / "outcome.json").get("state") == "done"
 
 
 def _object(file):

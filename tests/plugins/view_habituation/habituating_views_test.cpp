@@ -74,7 +74,7 @@ TEST_CASE("with NeuroSLAM's constants a repeated view is silent at once, and res
 }
 
 TEST_CASE("nothing is injected among the first fifty views, and no view is too new after a gap") {
-  HabituatingViews<Place> views({.newest_ignored = 10, .first_ignored = 50});
+  Views views({.newest_ignored = 10, .first_ignored = 50});
   for (int id = 0; id < 30; ++id) views.see(id, {static_cast<double>(id), 0});
   for (int seen = 31; seen <= 50; ++seen) CHECK_FALSE(views.see(seen % 2, {}));
   CHECK(views.see(1, {}));  // the 51st
