@@ -2,13 +2,13 @@
 // tolman explain: why a loop was closed, rejected or missed, from the record of a run.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 
 #include "app/options.hpp"
 #include "engine/replay_server.hpp"
 #include "engine/results.hpp"
 #include "engine/services.hpp"
+#include "experiment/tables.hpp"
 #include "record/atomic_file.hpp"
 #include "report/raster.hpp"
 #include "report/run_data.hpp"
@@ -26,20 +26,14 @@ struct ExplainCommand {
 };
 
 std::string listText(const std::vector<LoopStory>& stories) {
-  constexpr std::array<int, 9> kWidths = {7, 7, 24, 18, 18, 15, 6, 11, 4};
-  const auto line = [&](const std::string& number, const std::vector<std::string>& cells) {
-    std::string text = fmt::format("{:>4}", number);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      text += fmt::format("  {:>{}}", cells[i], kWidths.at(i));
-    }
-    return text + "\n";
-  };
   if (stories.empty()) return "no loop was closed, and none was near\n";
-  std::string text = line("loop", report::storyHeadings());
-  for (std::size_t i = 0; i < stories.size(); ++i) {
-    text += line(std::to_string(i + 1), stories[i].cells());
+  experiment::Table table{report::storyHeadings(), {}};
+  table.heading.insert(table.heading.begin(), "loop");
+  for (const LoopStory& story : stories) {
+    auto& row = table.rows.emplace_back(story.cells());
+    row.insert(row.begin(), std::to_string(table.rows.size()));
   }
-  return text;
+  return experiment::textOf(table);
 }
 
 /// Writes both views side by side to figures/loop-FRAME.png; what is said about it.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/provenance.hpp"
@@ -116,12 +117,11 @@ std::optional<Failure> Run::failureOf(const DriveResult& result, const RunListen
   if (failure && failure->stage == enumName(Role::Observer)) {
     failure->stage = listener.failedObserver();
   } else if (failure) {  // the chain knows roles; run.json has the names in the configuration
-    for (const config::StageConfig& stage : config().stages) {
-      if (enumName(stage.role) == failure->stage) {
-        failure->stage = stage.instance;
-        break;
-      }
-    }
+    const auto& stages = config().stages;
+    const auto found = std::ranges::find_if(stages, [&](const config::StageConfig& stage) {
+      return enumName(stage.role) == failure->stage;
+    });
+    if (found != stages.end()) failure->stage = found->instance;
   }
   if (failure || result.interrupted || n.frames > 0) return failure;
   failure = n.skipped > 0

@@ -62,18 +62,6 @@ class TruePlaces {
   std::map<std::int64_t, TruePosition> places_;
 };
 
-/// The frame at which each template was made.
-std::map<std::int64_t, std::int64_t> framesOfTemplates(
-    const std::vector<PlaceObservation>& places) {
-  std::map<std::int64_t, std::int64_t> learned;
-  for (const PlaceObservation& place : places) {
-    if (place.recognition == Recognition::Novel) {
-      learned.try_emplace(place.template_id, place.frame);
-    }
-  }
-  return learned;
-}
-
 /// Compares a measured pose with the true one.
 void judgePose(const PlaceObservation& view, const Eigen::Isometry3d& then,
                const Eigen::Isometry3d& now, double storey_height, JudgedLoop& loop) {
@@ -174,6 +162,17 @@ std::string loopsText(std::span<const Revisit> revisits, const RevisitRule& rule
   return text;
 }
 
+std::map<std::int64_t, std::int64_t> framesOfTemplates(
+    const std::vector<PlaceObservation>& places) {
+  std::map<std::int64_t, std::int64_t> learned;
+  for (const PlaceObservation& place : places) {
+    if (place.recognition == Recognition::Novel) {
+      learned.try_emplace(place.template_id, place.frame);
+    }
+  }
+  return learned;
+}
+
 std::vector<JudgedLoop> judgeLoops(const MapGraph& graph,
                                    const std::vector<PlaceObservation>& places,
                                    const Trajectory& truth, double storey_height) {
@@ -214,12 +213,12 @@ std::vector<JudgedLoop> judgeLoops(const MapGraph& graph,
   return loops;
 }
 
-LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
-                        const Trajectory& truth, double storey_height) {
+LoopFigures loopFigures(const std::vector<JudgedLoop>& loops,
+                        const std::vector<PlaceObservation>& places, const Trajectory& truth,
+                        double storey_height) {
   const TruePlaces true_places(truth, storey_height);
   LoopFigures figures;
-  const std::vector<double> closed =
-      countLinks(judgeLoops(graph, places, truth, storey_height), true_places, figures);
+  const std::vector<double> closed = countLinks(loops, true_places, figures);
   countViews(places, true_places, closed, figures);
   return figures;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -70,6 +71,9 @@ struct JudgedLoop {
   std::optional<bool> is_true;  ///< none where an end has no true pose
 };
 
+/// The frame at which each template was made.
+std::map<std::int64_t, std::int64_t> framesOfTemplates(const std::vector<PlaceObservation>& places);
+
 /// All loop links, in the order of their ids. Places that are more than `storey_height` metres
 /// apart in height (y of the true poses) are different ones; 0: heights are ignored.
 std::vector<JudgedLoop> judgeLoops(const MapGraph& graph,
@@ -90,9 +94,10 @@ struct LoopFigures {
   std::int64_t true_views_closed = 0;
 };
 
-/// `storey_height`: as for judgeLoops().
-LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
-                        const Trajectory& truth, double storey_height = 0);
+/// `loops` and `storey_height`: of judgeLoops().
+LoopFigures loopFigures(const std::vector<JudgedLoop>& loops,
+                        const std::vector<PlaceObservation>& places, const Trajectory& truth,
+                        double storey_height = 0);
 
 nlohmann::ordered_json toJson(const LoopFigures& figures);
 

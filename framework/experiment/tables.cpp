@@ -76,17 +76,21 @@ Table exact(const Table& table) {
 }  // namespace
 
 std::string textOf(const Table& table) {
+  const auto width = [](const std::string& cell) {  // characters of UTF-8
+    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
+    return static_cast<std::size_t>(std::ranges::count_if(cell, begins));
+  };
   std::vector<std::size_t> widths(table.heading.size(), 0);
   std::vector<std::vector<std::string>> lines = table.rows;
   lines.insert(lines.begin(), table.heading);
   for (const auto& line : lines) {
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], width(line[k]));
   }
   std::string text = table.title.empty() ? "" : table.title + "\n";
   for (const auto& line : lines) {
     std::string out;
     for (std::size_t k = 0; k < line.size(); ++k) {
-      const std::string gap(widths[k] - line[k].size(), ' ');
+      const std::string gap(widths[k] - width(line[k]), ' ');
       out += k == 0 ? line[k] + gap : "  " + gap + line[k];
     }
     text += out.substr(0, out.find_last_not_of(' ') + 1) + "\n";

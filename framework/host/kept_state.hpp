@@ -24,8 +24,8 @@ class KeptState {
   static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ, SIGCHLD};
 
   unsigned mxcsr_;
-  std::fenv_t
-      floats_{};  ///< rounding, traps, and subnormal numbers (-ffast-math flushes them to 0)
+  /// Rounding, traps, and subnormal numbers (-ffast-math flushes them to 0).
+  std::fenv_t floats_{};
   std::string c_locale_;
   std::locale locale_;
   std::array<struct sigaction, kSignals.size()> handlers_{};

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kJustDriven = 20;         // m; as RevisitRule::path_m
+constexpr double kJustDriven = evaluation::RevisitRule{}.path_m;
 constexpr double kJustDrivenShare = 0.04;  // of the path, where its scale is unknown
 constexpr std::int64_t kSameView = 20;     // frames: further candidates within tell the same story
 
@@ -49,13 +49,11 @@ std::map<std::int64_t, HypothesisLife> livesOf(const std::vector<Decision>& deci
 /// Finds what belongs to a frame.
 class Stories {
  public:
-  explicit Stories(const LoopRecord& record) : record_(record), lives_(livesOf(record.decisions)) {
-    for (const PlaceObservation& place : record.places) {
-      if (place.recognition == Recognition::Novel) {
-        learned_.try_emplace(place.template_id, place.frame);
-      }
-      places_[place.frame] = &place;
-    }
+  explicit Stories(const LoopRecord& record)
+      : record_(record),
+        lives_(livesOf(record.decisions)),
+        learned_(evaluation::framesOfTemplates(record.places)) {
+    for (const PlaceObservation& place : record.places) places_[place.frame] = &place;
     const std::vector<double> driven = evaluation::distances(record.odometry);
     for (std::size_t i = 0; i < driven.size(); ++i) driven_[record.odometry[i].frame] = driven[i];
     just_driven_ =

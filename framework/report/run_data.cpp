@@ -182,7 +182,8 @@ bool returnsToPlace(const evaluation::Trajectory& truth) {
 
 /// The metrics of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
-                            const RunData& run, const config::EvaluationSettings& settings) {
+                            const RunData& run, const LoopRecord& loops,
+                            const config::EvaluationSettings& settings) {
   const auto lengths = lengthsOf(settings);
   evaluation::Metrics metrics;
   metrics.alignment = resolve(settings.alignment, reader);
@@ -211,8 +212,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   metrics.truth_sha256 = digestOf(truth);
   if (!truth.empty()) {
     metrics.returns = returnsToPlace(truth);
-    metrics.loops = evaluation::loopFigures(run.graph, must(reader.records<PlaceObservation>()),
-                                            truth, settings.loop_height);
+    metrics.loops = evaluation::loopFigures(loops.loops, loops.places, truth, settings.loop_height);
   }
   const auto timing = must(reader.timing());
   for (const auto& [stage, durations] : timing) {
@@ -344,7 +344,11 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     RunData data = trajectoriesOf(reader, settings, truth);
     const std::int64_t own = data.odometry.empty() ? 0 : data.odometry.front().frame;
     const auto body = data.metrics.body;
-    data.metrics = measure(reader, truth, data, settings);
+    {  // it holds all answers of places and cells
+      const LoopRecord loops = must(readLoops(reader, truth, settings.loop_height));
+      data.metrics = measure(reader, truth, data, loops, settings);
+      data.loops = storiesOf(loops);
+    }
     data.metrics.body = body;
     data.metrics.motions = consistencyOf(reader, own, truth, data.metrics.alignment);
     alignTruth(data, truth, must(reader.scaleKnown()));
@@ -357,7 +361,6 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
                                                 data.truth, scoresForCells(data, truth), seed);
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
     data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
-    data.loops = storiesOf(must(readLoops(reader, truth, settings.loop_height)));
     return data;
   });
 }

@@ -49,23 +49,28 @@ PlaceObservation view(std::int64_t frame, std::int64_t id, Recognition recogniti
   return place;
 }
 
+LoopFigures figuresOf(const MapGraph& graph, const std::vector<PlaceObservation>& places,
+                      const Trajectory& truth, double storey_height = 0) {
+  return loopFigures(judgeLoops(graph, places, truth, storey_height), places, truth, storey_height);
+}
+
 PlaceClaim claim(double score, bool right) { return {0, 0, score, right}; }
 
 }  // namespace
 
 TEST_CASE("loop links between near places are true, others false") {
   MapGraph graph = graphWith({{11, 1}, {12, 2}, {13, 2}, {15, 1}});  // 2, 2, 10.2 and 40 m apart
-  LoopFigures figures = loopFigures(graph, {}, twoDrives());
+  LoopFigures figures = figuresOf(graph, {}, twoDrives());
   CHECK(figures.true_links == 2);
   CHECK(figures.false_links == 2);
   graph.rejected = {3};
-  CHECK(loopFigures(graph, {}, twoDrives()).false_links == 1);
+  CHECK(figuresOf(graph, {}, twoDrives()).false_links == 1);
   Trajectory part = twoDrives();
   part.resize(115);  // 12, 13 and 15 have no true pose
-  figures = loopFigures(graph, {}, part);
+  figures = figuresOf(graph, {}, part);
   CHECK(figures.true_links == 1);
   CHECK(figures.false_links == 0);
-  CHECK(loopFigures(graph, {}, {}).true_links == 0);
+  CHECK(figuresOf(graph, {}, {}).true_links == 0);
 }
 
 TEST_CASE("a link with a measured pose is judged by the error of that pose, others by their ends") {
@@ -100,16 +105,16 @@ TEST_CASE("places of different storeys are different where heights count") {
   for (TrajectoryPose& pose : truth)
     pose.T_world_camera.translation().y() = pose.frame < 100 ? 0 : -3;
   const MapGraph graph = graphWith({{11, 1}, {12, 2}, {12, 11}});
-  CHECK(loopFigures(graph, {}, truth).false_links == 0);
+  CHECK(figuresOf(graph, {}, truth).false_links == 0);
   const std::vector<PlaceObservation> places = {view(10, 0, Recognition::Novel),
                                                 view(12, 0, Recognition::Familiar),
                                                 view(110, 0, Recognition::Familiar)};
-  const LoopFigures figures = loopFigures(graph, places, truth, 1.5);
+  const LoopFigures figures = figuresOf(graph, places, truth, 1.5);
   CHECK(figures.true_links == 1);  // along the upper storey
   CHECK(figures.false_links == 2);
   CHECK(figures.true_views == 1);
   CHECK(figures.false_views == 1);
-  CHECK(loopFigures(graph, places, truth, 3.5).false_links == 0);
+  CHECK(figuresOf(graph, places, truth, 3.5).false_links == 0);
 }
 
 TEST_CASE("views are judged by where they were learned, and closed near a true loop") {
@@ -119,7 +124,7 @@ TEST_CASE("views are judged by where they were learned, and closed near a true l
   places.push_back(view(116, 2, Recognition::Familiar));  // 6 m
   places.push_back(view(120, 9, Recognition::Familiar));  // 70 m from the place
   places.push_back(view(121, 7, Recognition::None));
-  const LoopFigures figures = loopFigures(graphWith({{11, 1}, {15, 1}}), places, twoDrives());
+  const LoopFigures figures = figuresOf(graphWith({{11, 1}, {15, 1}}), places, twoDrives());
   CHECK(figures.true_views == 2);
   CHECK(figures.false_views == 1);
   CHECK(figures.true_views_closed == 1);
@@ -130,11 +135,11 @@ TEST_CASE("links and views to where there is no truth are unknown") {
   Trajectory own = twoDrives();
   own.erase(own.begin(), own.begin() + 100);  // the second session
   const LoopFigures figures =
-      loopFigures(graphWith({{11, 1}, {15, 5}, {19, 10}}),
-                  {view(10, 0, Recognition::Novel), view(110, 0, Recognition::Familiar),
-                   view(120, 7, Recognition::Familiar), view(130, 1, Recognition::Novel),
-                   view(132, 1, Recognition::Familiar)},
-                  own);
+      figuresOf(graphWith({{11, 1}, {15, 5}, {19, 10}}),
+                {view(10, 0, Recognition::Novel), view(110, 0, Recognition::Familiar),
+                 view(120, 7, Recognition::Familiar), view(130, 1, Recognition::Novel),
+                 view(132, 1, Recognition::Familiar)},
+                own);
   CHECK(figures.unknown_links == 2);
   CHECK(figures.true_links == 0);
   CHECK(figures.false_links == 1);

@@ -228,7 +228,7 @@ void ExperienceMap::reportErrors() const {
 
 /// What the learned errors say of loops that do not fit.
 std::string ExperienceMap::causeOfResiduals() const {
-  constexpr double kNoisier = 1.7;  // as in describe()
+  constexpr double kNoisier = 1.7;  // times; chosen, not tuned
   const Assumptions& learned = chain_.assumptions();
   const std::int64_t rejected = chain_.rejected();
   if (10 * rejected > chain_.loops()) {

@@ -64,9 +64,8 @@ Status DirectSparse::configure(const Context& context) {
   settings.candidates = parameters_.points * (cameras_ == Cameras::Single ? 3 : 4) /
                         (cameras_ == Cameras::Single ? 4 : 5);
   settings.window = parameters_.window;
-  // Share of the width that is searched. Chosen on KITTI 06 (2.5 m); on a hand's camera 0.37 m.
-  constexpr int kSearched = 8;
-  settings.max_disparity = std::clamp(rig_.width / kSearched + 1, 8, kMaxDisparities);
+  settings.max_disparity =
+      std::clamp(static_cast<int>(largestDisparity(rig_)) + 1, 8, kMaxDisparities);
   settings.offset_sigma = parameters_.offset_sigma;
   settings.column_sigma = parameters_.offset_sigma > 0 ? parameters_.column_sigma : 0;
   settings.calibration_distance = parameters_.calibration_distance;

@@ -61,9 +61,7 @@ void FeatureOdometry::useSettings() {
   const Parameters& p = parameters_;
   corner_settings_.count = p.corners;
   stereo_settings_.track.levels = 2;  // guesses along rows are good
-  // Share of the width that is searched. Chosen on KITTI 06 (2.5 m); on a hand's camera 0.37 m.
-  constexpr double kSearched = 0.125;
-  stereo_settings_.max_disparity = kSearched * rig_.width;
+  stereo_settings_.max_disparity = largestDisparity(rig_);
   PixelNoise noise;
   double offset_sigma = p.offset_sigma;
   if (!needsPair()) {

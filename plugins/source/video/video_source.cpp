@@ -29,8 +29,7 @@ Result<PictureSize> cameraSize(PictureSize picture, PictureLayout layout) {
                      (layout != PictureLayout::TopBottom || size.height * 2 == picture.height);
   if (whole && size.width > 0 && size.height > 0) return size;
   return Status::invalidParameter(
-      "pictures of " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
-      " px are not two equal halves " +
+      "pictures of " + picture.text() + " are not two equal halves " +
       (layout == PictureLayout::SideBySide ? "side by side" : "one above the other") +
       "; correct layout");
 }
