@@ -73,7 +73,7 @@ auto openApart(const Manifest& manifest, double deadline_s = 10) {
 
 /// Throws engine::Failure.
 host::LoadedPlugin open(const host::Catalogue& catalogue, const std::string& id) {
-  const auto remote = engine::require(openApart(engine::require(catalogue.find(id))));
+  const auto remote = engine::opening([&] { return openApart(catalogue.find(id)); });
   return {remote->manifest(), nullptr, remote->schema()};
 }
 
@@ -117,27 +117,22 @@ void describe(const Description& asked, Invocation& invocation) {
 }
 
 /// The plugins of the file that are asked for: all of a library, or the one of --id. A program is
-/// opened in a process of its own: only then is its role known.
-host::OrRefusal<std::vector<Manifest>> pluginsIn(const KitOptions& options,
-                                                 const Invocation& invocation) {
+/// opened in a process of its own: only then is its role known. Throws Refusal.
+std::vector<Manifest> pluginsIn(const KitOptions& options, const Invocation& invocation) {
   const std::string suffix = std::filesystem::path(options.file).extension();
   if (!suffix.empty() && suffix != ".so") {
-    const auto found = engine::openCatalogue(invocation.plugin_paths).program(options.file);
-    if (const auto* refusal = std::get_if<Refusal>(&found)) return *refusal;
-    const auto opened = openApart(std::get<Manifest>(found), options.timeout);
-    if (const auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
-    return std::vector{std::get<std::shared_ptr<host::RemotePlugin>>(opened)->manifest()};
+    const Manifest found = engine::openCatalogue(invocation.plugin_paths).program(options.file);
+    return {openApart(found, options.timeout)->manifest()};
   }
-  auto read = host::readManifests(options.file);
-  auto* manifests = std::get_if<std::vector<Manifest>>(&read);
-  if (manifests == nullptr || options.id.empty()) return read;
+  const std::vector<Manifest> manifests = host::readManifests(options.file);
+  if (options.id.empty()) return manifests;
   std::string known;
-  for (const Manifest& manifest : *manifests) {
-    if (manifest.id == options.id) return std::vector{manifest};
+  for (const Manifest& manifest : manifests) {
+    if (manifest.id == options.id) return {manifest};
     known += (known.empty() ? "" : ", ") + manifest.id;
   }
-  return Refusal{"plugin/not-found", options.file + " has no plugin '" + options.id + "'",
-                 "it has: " + known};
+  throw Refusal{"plugin/not-found", options.file + " has no plugin '" + options.id + "'",
+                "it has: " + known};
 }
 
 /// The report of a file without a readable manifest.
@@ -147,7 +142,7 @@ ConformanceReport refused(const KitOptions& options, const Refusal& refusal) {
       1,
       "a manifest that can be read without opening the library",
       0,
-      {{CheckSeverity::Error, "[" + refusal.id + "] " + refusal.message, refusal.remedy}}};
+      {{Finding::Severity::Error, {}, "[" + refusal.id + "] " + refusal.message, refusal.remedy}}};
   return {options.file, options.id, "", options.level, options.seed, {manifest}};
 }
 
@@ -172,13 +167,8 @@ void validate(KitOptions options, bool summaries, Invocation& invocation) {
     }
   };
   std::vector<ConformanceReport> reports;
-  const auto found = pluginsIn(options, invocation);
-  if (const auto* refusal = std::get_if<Refusal>(&found)) {
-    if (refusal->id == host::kNoProcess) engine::require(found);
-    reports.push_back(refused(options, *refusal));
-    print(reports.back().checks.back());
-  } else {
-    for (const Manifest& manifest : std::get<std::vector<Manifest>>(found)) {
+  try {
+    for (const Manifest& manifest : pluginsIn(options, invocation)) {
       options.file = manifest.file;
       options.id = manifest.id;
       options.program_file = manifest.program;
@@ -187,6 +177,12 @@ void validate(KitOptions options, bool summaries, Invocation& invocation) {
         std::cout << conformance::summary(reports.back()) << std::flush;
       }
     }
+  } catch (const Refusal& refusal) {
+    if (refusal.id == host::kNoProcess) {
+      throw engine::Failure(engine::FailureKind::Machine, refusal.text());
+    }
+    reports.push_back(refused(options, refusal));
+    print(reports.back().checks.back());
   }
   Json all = Json::array();
   for (const ConformanceReport& report : reports) {

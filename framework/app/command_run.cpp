@@ -41,8 +41,7 @@ ExitCode runSystem(const RunCommand& command, const SystemOptionsReader& reader,
   const engine::Interrupts interrupts;  // before anything that starts threads
   if (command.view) {
     const host::Catalogue catalogue = engine::openCatalogue(system.plugin_paths);
-    system.observers.push_back(
-        engine::require(engine::findPageObserver(catalogue, command.viewer)));
+    system.observers.push_back(engine::findPageObserver(catalogue, command.viewer));
   }
   engine::RunOptions options;
   options.out = command.out.path;

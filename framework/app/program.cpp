@@ -94,14 +94,14 @@ void addWordCommands(CLI::App& app, const Invocation& invocation) {
 /// The process of an isolated stage.
 void addStageCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run-stage")->group("");  // hidden
-  auto descriptors = std::make_shared<std::vector<int>>();
-  command->add_option("descriptors", *descriptors)->required()->expected(4);
-  command->callback([descriptors] {
+  auto descriptor = std::make_shared<int>();
+  command->add_option("descriptor", *descriptor)->required();
+  command->callback([descriptor] {
     const engine::SteadyClock clock;
-    host::runPluginProcess(*descriptors, {clock, [](const auto& directory, const auto& instance) {
-                                            return std::make_unique<record::ArtefactFolder>(
-                                                directory, instance);
-                                          }});
+    host::runPluginProcess(*descriptor, {clock, [](const auto& directory, const auto& instance) {
+                                           return std::make_unique<record::ArtefactFolder>(
+                                               directory, instance);
+                                         }});
   });
 }
 

@@ -41,18 +41,10 @@ concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <class T>
 concept Matrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
 
-/// Where an Encoder writes.
-class ByteBuffer {
- public:
-  virtual ~ByteBuffer() = default;
-  /// At least `size` bytes; keeps what was written. May move the memory.
-  virtual std::byte* reserve(std::size_t size) = 0;
-};
-
 class Encoder {
  public:
-  explicit Encoder(ByteBuffer& buffer) : buffer_(buffer) {}
-  std::size_t size() const { return size_; }
+  /// What was written.
+  std::string take() { return std::move(bytes_); }
 
   template <class... T>
   void putAll(const T&... values) {
@@ -116,20 +108,18 @@ class Encoder {
 
  private:
   void raw(const void* bytes, std::size_t count) {
-    if (count == 0) return;
-    std::memcpy(buffer_.reserve(size_ + count) + size_, bytes, count);
-    size_ += count;
+    if (count > 0) bytes_.append(static_cast<const char*>(bytes), count);
   }
-  ByteBuffer& buffer_;
-  std::size_t size_ = 0;
+  std::string bytes_;
 };
 
 class Decoder {
  public:
-  Decoder(const std::byte* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
-  std::size_t remaining() const { return size_ - position_; }
+  /// The bytes must outlive it.
+  explicit Decoder(std::string_view bytes) : bytes_(bytes) {}
+  std::size_t remaining() const { return bytes_.size() - position_; }
   /// Ignores the remaining bytes.
-  void skip() { position_ = size_; }
+  void skip() { position_ = bytes_.size(); }
 
   template <class... T>
   void getAll(T&... values) {
@@ -218,9 +208,9 @@ class Decoder {
  private:
   const std::byte* take(std::size_t count) {
     if (count > remaining()) throw std::domain_error("the message ends too early");
-    const std::byte* start = bytes_ + position_;
+    const char* start = bytes_.data() + position_;
     position_ += count;
-    return start;
+    return reinterpret_cast<const std::byte*>(start);
   }
   /// Reads a number of elements of at least `least` bytes each; refuses a number that the rest of
   /// the message cannot contain.
@@ -231,8 +221,7 @@ class Decoder {
   }
   void skipText() { take(count(1)); }
 
-  const std::byte* bytes_;
-  std::size_t size_;
+  std::string_view bytes_;
   std::size_t position_ = 0;
 };
 

@@ -41,7 +41,8 @@ NamedArray arrayOf(const RecordedArray& row) {
     next = after;
   }
   if (size == array.values.size()) return array;
-  throw BadRow("the shape " + row.shape + " of array '" + row.name + "' does not fit its values");
+  throw std::domain_error("the shape " + row.shape + " of array '" + row.name +
+                          "' does not fit its values");
 }
 
 RecordedArrayInfo toRow(const ArrayInfo& info) {
@@ -67,7 +68,7 @@ ArrayInfo fromRow(const RecordedArrayInfo& row) {
       });
     }
   } catch (const Json::exception& error) {
-    throw BadRow("the axes of array '" + row.name + "' are damaged: " + error.what());
+    throw std::domain_error("the axes of array '" + row.name + "' are damaged: " + error.what());
   }
   return info;
 }

@@ -174,13 +174,13 @@ struct ExactPoses {
 };
 
 RecordedArrayInfo toRow(const ArrayInfo& info);
-/// BadRow where `axes` is not the JSON that toRow() writes.
+/// std::domain_error where `axes` is not the JSON that toRow() writes.
 ArrayInfo fromRow(const RecordedArrayInfo& row);
 
 /// A value of table `run`; empty where it has none.
 std::string entryOf(const Database& database, const std::string& key);
 
-/// The array of a row. Throws BadRow if the shape does not fit the values.
+/// The array of a row. Throws std::domain_error if the shape does not fit the values.
 NamedArray arrayOf(const RecordedArray& row);
 
 template <class T>
@@ -303,7 +303,7 @@ template <Record R>
 void restorePoses(const ExactPoses& exact, R& record) {
   Eigen::Index column = 0;
   visitPoses(record, [&](Eigen::Isometry3d& T) {
-    if (column + 4 > exact.poses.cols()) throw BadRow("exact poses are missing");
+    if (column + 4 > exact.poses.cols()) throw std::domain_error("exact poses are missing");
     T.matrix().topRows<3>() = exact.poses.middleCols<4>(column);
     column += 4;
   });

@@ -33,12 +33,6 @@ namespace tolman::record {
 
 using SQLite::Database;
 
-/// A value in the database violates the schema.
-class BadRow : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 enum class Access : std::uint8_t { Create, Write, ReadOnly };
 /// One connection. Not thread-safe.
 Database openDatabase(const std::filesystem::path& file, Access access);
@@ -71,13 +65,14 @@ class Statement : public SQLite::Statement {
 /// The message of SQLite with a remedy; InvalidInput if the database is damaged, otherwise Failed.
 Status explained(const std::string& where, const SQLite::Exception& error);
 
-/// Calls `work` and converts exceptions to a Status whose message begins with `where`.
+/// Calls `work` and converts exceptions to a Status whose message begins with `where`. A value that
+/// violates the schema throws std::domain_error.
 template <class Work>
 Status guarded(const std::string& where, Work&& work) {
   try {
     work();
     return Status::ok();
-  } catch (const BadRow& error) {
+  } catch (const std::domain_error& error) {
     return Status::invalidInput(where + ": " + error.what());
   } catch (const SQLite::Exception& error) {
     return explained(where, error);
@@ -152,7 +147,8 @@ struct Codec<T> {
   static void read(Statement& row, T& value) {
     const std::string name = row.next().getString();
     const std::optional<T> known = valueNamed<T>(name);
-    if (!known) throw BadRow("'" + name + "' is none of the values that this column has");
+    if (!known)
+      throw std::domain_error("'" + name + "' is none of the values that this column has");
     value = *known;
   }
 };
@@ -204,7 +200,8 @@ struct Codec<T> {
     const auto columns = static_cast<Eigen::Index>(bytes.size() / line);
     constexpr int kColumns = T::ColsAtCompileTime;
     if (bytes.size() % line != 0 || (kColumns != Eigen::Dynamic && columns != kColumns)) {
-      throw BadRow("a matrix has " + std::to_string(bytes.size()) + " bytes, which do not fit");
+      throw std::domain_error("a matrix has " + std::to_string(bytes.size()) +
+                              " bytes, which do not fit");
     }
     matrix.resize(T::RowsAtCompileTime, columns);
     const auto* values = reinterpret_cast<const Scalar*>(bytes.data());

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <fstream>
-
-#include "base/open_files.hpp"
 
 namespace tolman::text_encoding {
 namespace {
@@ -44,17 +41,6 @@ std::string encodingProblem(std::string_view text) {
   const auto line = 1 + std::ranges::count(text.substr(0, zero), '\n');
   return "has a zero byte in line " + std::to_string(line) +
          ", so it is damaged or no text; restore it";
-}
-
-std::string encodingProblemOf(const std::filesystem::path& file) {
-  std::error_code failure;
-  if (!std::filesystem::is_regular_file(file, failure)) return "";  // a pipe would block
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.is_open()) return file_opening::notOpened("");
-  std::string begin(std::size_t{1} << 16U, '\0');
-  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(stream.gcount()));
-  return encodingProblem(begin);
 }
 
 std::string_view withoutMark(std::string_view text) {

@@ -3,7 +3,6 @@
 // UTF-16, whose characters have zero bytes between them; a reader would blame a line or a number.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -13,10 +12,6 @@ namespace tolman::text_encoding {
 /// UTF-32 likewise (by the byte order mark, or by where the zero bytes are), or a zero byte and its
 /// line. Empty for a sound text. Other bytes that are no UTF-8 are not looked for.
 std::string encodingProblem(std::string_view text);
-
-/// The same of the first 64 KiB of a file, or that there are too many open files to open it. Empty,
-/// too, if it is no regular file that can be read.
-std::string encodingProblemOf(const std::filesystem::path& file);
 
 /// Removes the byte order mark that some editors write before UTF-8.
 std::string_view withoutMark(std::string_view text);

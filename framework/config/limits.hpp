@@ -19,9 +19,8 @@ inline constexpr double kMaxNumber = 1e100;
 inline constexpr double kFarthest = 1e12;  // m, of each coordinate of a position
 /// Largest element of |R'R - 1|. A rotation in single precision has about 1e-6.
 inline constexpr double kRotationError = 1e-4;
-inline constexpr std::size_t kMaxArrays = 256;     // of a frame, in one record
-inline constexpr std::size_t kLongestName = 100;   // bytes, of an array
-inline constexpr std::size_t kLongestText = 1000;  // bytes, of a unit or a description
+inline constexpr std::size_t kMaxArrays = 256;    // of a frame, in one record
+inline constexpr std::size_t kLongestName = 100;  // bytes, of an array
 
 /// Also false for NaN.
 inline bool isNear(const Eigen::Vector3d& position) {

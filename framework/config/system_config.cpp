@@ -227,12 +227,6 @@ SystemConfig parse(const Loaded& loaded, Problems& problems) {
 
 ParameterValues check(const StageConfig& stage, const Schema& schema, const BaseFolders& folders,
                       Problems& problems) {
-  for (const ParameterInfo& info : schema) {
-    if (!isReserved(info.name)) continue;
-    problems.push_back({stage.pluginOrigin(), stage.path,
-                        "plugin " + stage.plugin + " declares the parameter '" + info.name +
-                            "', which is a key of the host; rename it in the plugin"});
-  }
   const Subject subject{stage.path, "plugin " + stage.plugin, reservedKeys()};
   return check(stage.given, schema, subject, folders, problems);
 }

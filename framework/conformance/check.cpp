@@ -32,20 +32,16 @@ Settings readSettings(const Schema& schema, const std::string& id,
 }
 
 host::Manifest CheckContext::manifest() const {
-  auto read = host::readManifest(task_.file, task_.id);
-  if (const auto* refusal = std::get_if<host::Refusal>(&read)) refuse(*refusal);
-  auto& manifest = std::get<host::Manifest>(read);
+  host::Manifest manifest = host::readManifest(task_.file, task_.id);
   manifest.program = task_.program_file;
-  return std::move(manifest);
+  return manifest;
 }
 
 const PluginUnderTest& CheckContext::plugin() {
   if (plugin_) return *plugin_;
   const host::Manifest found = manifest();
   send_({{"call", "load"}});
-  auto loaded = host::loadPlugin(found, host::HostIdentity::ofThisBuild());
-  if (const auto* refusal = std::get_if<host::Refusal>(&loaded)) refuse(*refusal);
-  auto& opened = std::get<host::LoadedPlugin>(loaded);
+  host::LoadedPlugin opened = host::loadPlugin(found, host::HostIdentity::ofThisBuild());
   const Trace trace = [this](const std::string& call) { send_({{"call", call}}); };
   return plugin_.emplace(PluginUnderTest{readSettings(opened.schema, task_.id, task_.set),
                                          std::move(opened), task_.seed,
@@ -66,8 +62,8 @@ SequenceOptions CheckContext::sequenceOptions() {
     SequenceOptions one = options;
     one.frames = 1;
     one.images = false;
-    TestInstance instance(*plugin_);
-    const Status status = instance.configure(makeSequence(one).rig);
+    const auto instance = TestInstance::make(*plugin_);
+    const Status status = instance->configure(makeSequence(one).rig);
     stereo_ = status.code() != StatusCode::Unsupported;
   }
   options.stereo = *stereo_;
@@ -79,9 +75,9 @@ SequenceOptions CheckContext::sequenceOptions() {
 bool CheckContext::needsDepth(SequenceOptions options) {
   options.frames = 1;
   const InputSequence sequence = makeSequence(options);
-  TestInstance instance(*plugin_);
-  return instance.configure(sequence.rig).isOk() &&
-         instance.run(sequence).code() == StatusCode::Unsupported;
+  const auto instance = TestInstance::make(*plugin_);
+  return instance->configure(sequence.rig).isOk() &&
+         instance->run(sequence).code() == StatusCode::Unsupported;
 }
 
 InputSequence CheckContext::otherSequence() {
@@ -93,7 +89,7 @@ InputSequence CheckContext::otherSequence() {
 }
 
 std::unique_ptr<TestInstance> CheckContext::configured(const CameraRig& rig) {
-  auto instance = std::make_unique<TestInstance>(completePlugin());
+  auto instance = TestInstance::make(completePlugin());
   require(instance->configure(rig));
   return instance;
 }
@@ -106,37 +102,22 @@ Transcript CheckContext::runOnce(const InputSequence& sequence, const std::strin
   return instance->transcript();
 }
 
-void CheckContext::report(CheckSeverity severity, const std::string& message,
-                          const std::string& remedy) const {
-  send_({{"severity", enumName(severity)}, {"message", message}, {"remedy", remedy}});
-}
-
-void CheckContext::note(const std::string& message) const {
-  report(CheckSeverity::Ok, message, {});
-}
-
-void CheckContext::error(const std::string& message, const std::string& remedy) const {
-  report(CheckSeverity::Error, message, remedy.empty() ? remedy_ : remedy);
-}
-
-void CheckContext::warning(const std::string& message, const std::string& remedy) const {
-  report(CheckSeverity::Warning, message, remedy.empty() ? remedy_ : remedy);
+void CheckContext::add(const Finding& finding) const {
+  const bool is_fault = finding.severity != Finding::Severity::Note;
+  const std::string& remedy = finding.remedy.empty() && is_fault ? remedy_ : finding.remedy;
+  send_(
+      {{"severity", enumName(finding.severity)}, {"message", finding.message}, {"remedy", remedy}});
 }
 
 void CheckContext::skip(const std::string& reason) const {
-  report(CheckSeverity::Skip, reason, {});
-  throw CheckEnded();
-}
-
-void CheckContext::refuse(const host::Refusal& refusal) const {
-  error("[" + refusal.id + "] " + refusal.message, refusal.remedy);
-  throw CheckEnded();
+  send_({{"skipped", true}});
+  throw Finding{Finding::Severity::Note, {}, reason};
 }
 
 void CheckContext::require(const Status& status, const std::string& when) const {
   if (status.isOk()) return;
-  error(when.empty() ? status.message() : when + ": " + status.message());
-  throw CheckEnded();
+  const std::string text = when.empty() ? status.message() : when + ": " + status.message();
+  throw Finding{Finding::Severity::Error, {}, text};
 }
 
 double CheckContext::timeUsed() const {

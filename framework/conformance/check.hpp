@@ -26,9 +26,6 @@ struct CheckTask : KitOptions {
 };
 inline constexpr const char* kPluginFolder = "plugin";
 
-/// Thrown to end a check early. The messages sent so far remain valid.
-struct CheckEnded {};
-
 class CheckContext {
  public:
   using Send = std::function<void(const nlohmann::ordered_json&)>;
@@ -39,9 +36,9 @@ class CheckContext {
 
   const CheckTask& task() const { return task_; }
 
-  /// Reads the manifest from the file without opening the library. A refusal ends the check.
+  /// Reads the manifest from the file without opening the library. Throws host::Refusal.
   host::Manifest manifest() const;
-  /// The opened plugin with the values of --set. Ends the check when it cannot be loaded.
+  /// The opened plugin with the values of --set. Throws host::Refusal.
   const PluginUnderTest& plugin();
   /// As plugin(), but skips the check when a required parameter has no value.
   const PluginUnderTest& completePlugin();
@@ -60,15 +57,20 @@ class CheckContext {
 
   /// Describes the input of the calls that follow: "draw 7 of seed 1".
   void currentInput(const std::string& description) const { send_({{"input", description}}); }
-  void error(const std::string& message, const std::string& remedy = {}) const;
-  void warning(const std::string& message, const std::string& remedy = {}) const;
-  void note(const std::string& message) const;
+  void add(const Finding& finding) const;
+  void error(const std::string& message, const std::string& remedy = {}) const {
+    add({Finding::Severity::Error, {}, message, remedy});
+  }
+  void warning(const std::string& message, const std::string& remedy = {}) const {
+    add({Finding::Severity::Warning, {}, message, remedy});
+  }
+  void note(const std::string& message) const { add({Finding::Severity::Note, {}, message}); }
   void measured(const std::string& name, double value, const std::string& unit) const {
     send_({{"name", name}, {"value", value}, {"unit", unit}});
   }
+  /// Ends the check, which throws its last finding.
   [[noreturn]] void skip(const std::string& reason) const;
-  [[noreturn]] void refuse(const host::Refusal& refusal) const;
-  /// A failure becomes an error and ends the check.
+  /// A failure ends the check likewise.
   void require(const Status& status, const std::string& when = {}) const;
   /// Time since the check began, as a share of its timeout.
   double timeUsed() const;
@@ -76,7 +78,6 @@ class CheckContext {
  private:
   /// Whether an odometry refuses the first frame of such a sequence, as Unsupported.
   bool needsDepth(SequenceOptions options);
-  void report(CheckSeverity severity, const std::string& message, const std::string& remedy) const;
 
   CheckTask task_;
   std::string remedy_;

@@ -31,7 +31,7 @@ void checkManifest(CheckContext& context) {
                     "use lower-case letters, digits and _, as for keys");
   }
   if (const auto refusal = host::checkGate(manifest, host::HostIdentity::ofThisBuild())) {
-    context.refuse(*refusal);
+    throw *refusal;
   }
 }
 
@@ -130,11 +130,11 @@ void checkRandom(CheckContext& context) {
     const std::string draw =
         fmt::format("draw {} of seed {} ({})", drawn, seed, difference(plugin.values, values));
     context.currentInput(draw);
-    TestInstance instance(plugin, values);
-    Status status = instance.configure(sequence.rig);
+    const auto instance = TestInstance::make(plugin, values);
+    Status status = instance->configure(sequence.rig);
     const bool is_refused = isRefusal(status);
-    if (status.isOk()) status = instance.run(sequence);
-    if (status.isOk()) status = instance.finish(sequence);
+    if (status.isOk()) status = instance->run(sequence);
+    if (status.isOk()) status = instance->finish(sequence);
     ++(is_refused ? refused : status.isOk() ? worked : failed);
     if (!is_refused && !status.isOk()) context.error(draw + ": " + status.message());
   }
@@ -152,8 +152,8 @@ void checkMissingData(CheckContext& context) {
     has_path = true;
   }
   if (!has_path) context.skip("it has no required path");
-  TestInstance instance(plugin, values);
-  const Status status = instance.configure({});
+  const auto instance = TestInstance::make(plugin, values);
+  const Status status = instance->configure({});
   if (status.isOk()) {
     context.error("configure() accepts a path that does not exist",
                   "check the data in configure(), so that errors come before frame 0");

@@ -22,16 +22,16 @@ void checkAnswered(CheckContext& context) {
 /// configure() may refuse the rig; if it does not, the frames must be answered.
 void requireAnswersOrRefusal(CheckContext& context, const InputSequence& sequence,
                              const std::string& when) {
-  TestInstance instance(context.completePlugin());
-  const Status status = instance.configure(sequence.rig);
+  const auto instance = TestInstance::make(context.completePlugin());
+  const Status status = instance->configure(sequence.rig);
   if (!status.isOk()) {
     if (!isRefusal(status)) {
       context.error(when + ": " + status.message(), "return Status::unsupported()");
     }
     return;
   }
-  context.require(instance.run(sequence), when);
-  context.require(instance.finish(sequence), when);
+  context.require(instance->run(sequence), when);
+  context.require(instance->finish(sequence), when);
 }
 
 void checkEmpty(CheckContext& context) {

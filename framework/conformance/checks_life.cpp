@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kFew = 6;  // frames
 
 void checkUnused(CheckContext& context) {
-  TestInstance never_configured(context.plugin());
-  context.require(never_configured.destroy());
+  const auto never_configured = TestInstance::make(context.plugin());
+  context.require(never_configured->destroy());
   const auto configured = context.configured(context.sequence().rig);
   context.require(configured->destroy());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Side effects of a plugin on its process: global state, threads, files, memory; and its cost.
 #include <oneapi/tbb/global_control.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -22,8 +23,8 @@ double millisecondsSince(std::chrono::steady_clock::time_point begin) {
 
 void checkCost(CheckContext& context) {
   const InputSequence sequence = context.sequence();
-  resetPeakResident();
-  const double before_mib = residentMib();
+  resetPeak();
+  const double before_mib = memoryMib("VmRSS:");
   auto begin = std::chrono::steady_clock::now();
   const auto instance = context.configured(sequence.rig);
   context.measured("configure", millisecondsSince(begin), "ms");
@@ -40,30 +41,19 @@ void checkCost(CheckContext& context) {
   std::sort(frames_ms.begin(), frames_ms.end());
   context.measured("frame, median", frames_ms[frames_ms.size() / 2], "ms");
   context.measured("frame, slowest", frames_ms.back(), "ms");
-  context.measured("peak memory", std::max(0.0, peakResidentMib() - before_mib), "MiB");
+  context.measured("peak memory", std::max(0.0, memoryMib("VmHWM:") - before_mib), "MiB");
 }
-
-/// Detects calls of rand() and srand().
-class RandProbe {
- public:
-  RandProbe() {
-    std::srand(kSeed);
-    expected_ = std::rand();  // NOLINT: only compared
-    std::srand(kSeed);
-  }
-  bool changed() const { return std::rand() != expected_; }  // NOLINT
-
- private:
-  static constexpr unsigned kSeed = 20240607;
-  int expected_;
-};
 
 /// The state at the end equals that before the library was opened. The interpreter of a program is
 /// the host's own, and writes the stack at a fault: it is opened first.
 void checkGlobals(CheckContext& context) {
   if (!context.manifest().program.empty()) (void)context.plugin();
-  const RandProbe random;
-  const OutputCapture output;
+  constexpr unsigned kSeed = 20240607;
+  std::srand(kSeed);
+  const int random = std::rand();  // NOLINT: only compared
+  std::srand(kSeed);
+  const OutputCapture out(STDOUT_FILENO);
+  const OutputCapture err(STDERR_FILENO);
   const ProcessState before = processState();
   (void)host::takeRestored();
   const InputSequence sequence = context.sequence();
@@ -73,10 +63,10 @@ void checkGlobals(CheckContext& context) {
     context.error(difference);
   for (const std::string& name : host::takeRestored())
     context.error(name + " was changed; the host restored it");
-  if (random.changed()) context.error("rand() or srand() of the C library was called");
+  if (std::rand() != random) context.error("rand() or srand() of the C library was called");
   if (openCvThreads() != opencv_threads) context.error("cv::setNumThreads() was called");
-  if (!output.out().empty()) context.error("wrote to stdout: '" + output.out() + "'");
-  if (!output.err().empty()) context.warning("wrote to stderr: '" + output.err() + "'");
+  if (!out.text().empty()) context.error("wrote to stdout: '" + out.text() + "'");
+  if (!err.text().empty()) context.warning("wrote to stderr: '" + err.text() + "'");
 }
 
 /// The first instance may create pools and caches that stay; the second must release all that it

@@ -33,7 +33,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kMessages = "messages";
 constexpr const char* kOutput = "output";
 
-Json jsonOf(const CheckFinding& finding) {
+Json jsonOf(const Finding& finding) {
   return {{"severity", enumName(finding.severity)},
           {"message", finding.message},
           {"remedy", finding.remedy}};
@@ -113,9 +113,10 @@ class CheckProcess {
         result_.measurements.push_back({message["name"], message["value"], message["unit"]});
       }
       if (message.contains("severity")) {
-        const auto severity = valueNamed<CheckSeverity>(message["severity"].get<std::string>());
-        result_.findings.push_back({*severity, message["message"], message["remedy"]});
+        const auto severity = valueNamed<Finding::Severity>(message["severity"].get<std::string>());
+        result_.findings.push_back({*severity, {}, message["message"], message["remedy"]});
       }
+      result_.skipped = result_.skipped || message.contains("skipped");
       completed_ = completed_ || message.contains("completed");
     }
   }
@@ -138,7 +139,7 @@ class CheckProcess {
   }
 
   void error(const std::string& message, const std::string& remedy) {
-    result_.findings.push_back({CheckSeverity::Error, message, remedy});
+    result_.findings.push_back({Finding::Severity::Error, {}, message, remedy});
   }
 
   CheckResult result_;
@@ -162,7 +163,7 @@ std::string text(const CheckResult& result) {
     lines += fmt::format("\n{:29}{}: {:.4g} {}", "", measured.name, measured.value, measured.unit);
   }
   lines += "\n";
-  for (const CheckFinding& finding : result.findings) {
+  for (const Finding& finding : result.findings) {
     lines += indented(finding.message);
     if (!finding.remedy.empty()) lines += indented("remedy: " + finding.remedy);
   }
@@ -230,7 +231,10 @@ void runCheck(const std::string& text) {
       context.skip("live images do not come twice");
     }
     check->run(context);
-  } catch (const CheckEnded&) {  // the reason was sent
+  } catch (const Finding& last) {
+    context.add(last);
+  } catch (const host::Refusal& refusal) {
+    context.error("[" + refusal.id + "] " + refusal.message, refusal.remedy);
   } catch (const std::exception& error) {
     context.error(std::string("the check failed with an exception: ") + error.what());
   }

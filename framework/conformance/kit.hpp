@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tolman/context.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::conformance {
@@ -20,13 +21,6 @@ enum class CheckSeverity : std::uint8_t { Ok, Skip, Warning, Error };
 inline constexpr std::array<std::string_view, 4> kCheckSeverityNames = {"ok", "skip", "warning",
                                                                         "error"};
 constexpr std::span<const std::string_view> enumNames(CheckSeverity) { return kCheckSeverityNames; }
-
-/// One message of a check. Ok: information, not a fault.
-struct CheckFinding {
-  CheckSeverity severity = CheckSeverity::Ok;
-  std::string message;
-  std::string remedy;  ///< what to do; for warnings and errors
-};
 
 /// A number that is reported and has no limit.
 struct Measurement {
@@ -41,13 +35,18 @@ struct CheckResult {
   int level = 1;
   std::string demand;  ///< the requirement that was tested
   double seconds = 0;
-  std::vector<CheckFinding> findings{};
+  std::vector<Finding> findings{};
   std::vector<Measurement> measurements{};
+  bool skipped = false;
 
   /// The worst of the findings.
   CheckSeverity severity() const {
-    CheckSeverity worst = CheckSeverity::Ok;
-    for (const CheckFinding& finding : findings) worst = std::max(worst, finding.severity);
+    CheckSeverity worst = skipped ? CheckSeverity::Skip : CheckSeverity::Ok;
+    for (const Finding& finding : findings) {
+      if (finding.severity == Finding::Severity::Note) continue;
+      const bool is_error = finding.severity == Finding::Severity::Error;
+      worst = std::max(worst, is_error ? CheckSeverity::Error : CheckSeverity::Warning);
+    }
     return worst;
   }
 };

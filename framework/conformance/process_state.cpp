@@ -2,9 +2,9 @@
 #include "conformance/process_state.hpp"
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 #include <immintrin.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,46 +23,6 @@
 namespace tolman::conformance {
 namespace fs = std::filesystem;
 
-namespace {
-
-template <class T>
-std::string pointerText(T* pointer) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%p", reinterpret_cast<void*>(pointer));
-  return text.data();
-}
-
-void addSignals(ProcessState& state) {
-  for (int number = 1; number < NSIG; ++number) {
-    struct sigaction action {};
-    if (::sigaction(number, nullptr, &action) != 0) continue;
-    state["handler of signal " + std::to_string(number)] = pointerText(action.sa_handler);
-  }
-  sigset_t blocked;
-  ::pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
-  std::string mask;
-  for (int number = 1; number < NSIG; ++number) {
-    if (sigismember(&blocked, number) == 1) mask += std::to_string(number) + " ";
-  }
-  state["blocked signals"] = mask;
-}
-
-void addNumbers(ProcessState& state) {
-  constexpr unsigned kControl = 0xffc0;  // without the exception flags of calculations
-  state["rounding mode"] = std::to_string(std::fegetround());
-  state["floating point control (denormals, traps)"] = std::to_string(_mm_getcsr() & kControl);
-}
-
-double statusMib(const char* key) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(key)) return std::stod(line.substr(line.find(':') + 1)) / 1024;  // kB
-  }
-  return 0;
-}
-
-}  // namespace
-
 ProcessState processState() {
   ProcessState state;
   state["locale of C"] = std::setlocale(LC_ALL, nullptr);
@@ -73,11 +33,14 @@ ProcessState processState() {
     const std::string text = *entry;
     state["environment variable " + text.substr(0, text.find('='))] = text;
   }
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  state["umask"] = std::to_string(mask);
-  addSignals(state);
-  addNumbers(state);
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action {};
+    if (::sigaction(number, nullptr, &action) != 0) continue;
+    state["handler of signal " + std::to_string(number)] =
+        fmt::format("{}", fmt::ptr(reinterpret_cast<void*>(action.sa_handler)));
+  }
+  state["rounding mode"] = std::to_string(std::fegetround());
+  state["denormals"] = std::to_string(_mm_getcsr() & 0x8040U);
   return state;
 }
 
@@ -130,38 +93,38 @@ std::map<int, std::string> openFiles() {
   return files;
 }
 
-double residentMib() { return statusMib("VmRSS:"); }
-double peakResidentMib() { return statusMib("VmHWM:"); }
-void resetPeakResident() { std::ofstream("/proc/self/clear_refs") << "5"; }
+double memoryMib(const char* key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(key)) return std::stod(line.substr(line.find(':') + 1)) / 1024;  // kB
+  }
+  return 0;
+}
 
-OutputCapture::OutputCapture() : out_(redirect(STDOUT_FILENO)), err_(redirect(STDERR_FILENO)) {}
+void resetPeak() { std::ofstream("/proc/self/clear_refs") << "5"; }
+
+OutputCapture::OutputCapture(int descriptor)
+    : descriptor_(descriptor),
+      saved_(::dup(descriptor)),
+      file_(::memfd_create("output", MFD_CLOEXEC)) {
+  std::fflush(nullptr);
+  ::dup2(file_, descriptor_);
+}
 
 OutputCapture::~OutputCapture() {
   std::cout.flush();
   std::fflush(nullptr);
-  for (const Stream& stream : {out_, err_}) {
-    ::dup2(stream.saved, stream.descriptor);
-    ::close(stream.saved);
-    ::close(stream.file);
-  }
+  ::dup2(saved_, descriptor_);
+  ::close(saved_);
+  ::close(file_);
 }
 
-OutputCapture::Stream OutputCapture::redirect(int descriptor) {
-  std::fflush(nullptr);
-  const Stream stream{descriptor, ::dup(descriptor), ::memfd_create("output", MFD_CLOEXEC)};
-  ::dup2(stream.file, descriptor);
-  return stream;
-}
-
-std::string OutputCapture::contents(const Stream& stream) {
+std::string OutputCapture::text() const {
   std::cout.flush();
   std::fflush(nullptr);
   std::array<char, 200> text{};
-  const ssize_t size = ::pread(stream.file, text.data(), text.size(), 0);
+  const ssize_t size = ::pread(file_, text.data(), text.size(), 0);
   return {text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
 }
-
-std::string OutputCapture::out() const { return contents(out_); }
-std::string OutputCapture::err() const { return contents(err_); }
 
 }  // namespace tolman::conformance

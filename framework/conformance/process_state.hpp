@@ -24,32 +24,24 @@ std::size_t threadCount(std::size_t expected);
 /// The target of each open file descriptor.
 std::map<int, std::string> openFiles();
 
-/// Resident memory of this process, MiB.
-double residentMib();
-double peakResidentMib();
-void resetPeakResident();
+/// Memory of this process, MiB: "VmRSS:", resident, or "VmHWM:", the peak since resetPeak().
+double memoryMib(const char* key);
+void resetPeak();
 
-/// Captures stdout and stderr of this process during its lifetime.
+/// Captures stdout (1) or stderr (2) of this process during its lifetime.
 class OutputCapture {
  public:
-  OutputCapture();
+  explicit OutputCapture(int descriptor);
   ~OutputCapture();
   OutputCapture(const OutputCapture&) = delete;
   OutputCapture& operator=(const OutputCapture&) = delete;
   /// The first 200 bytes written so far.
-  std::string out() const;
-  std::string err() const;
+  std::string text() const;
 
  private:
-  struct Stream {
-    int descriptor;
-    int saved;
-    int file;
-  };
-  static Stream redirect(int descriptor);
-  static std::string contents(const Stream& stream);
-  Stream out_;
-  Stream err_;
+  int descriptor_;
+  int saved_;
+  int file_;
 };
 
 }  // namespace tolman::conformance

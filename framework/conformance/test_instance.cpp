@@ -14,27 +14,6 @@
 
 namespace tolman::conformance {
 
-/// Calls one instance in its role, through the host's guarded stage, and checks answers against
-/// those of earlier frames.
-class RoleDriver {
- public:
-  virtual ~RoleDriver() = default;
-  /// One frame. A source ignores the input and gives its next frame.
-  virtual Status process(const FrameInput& input, TranscriptEntry& answer) = 0;
-  virtual Status finish(const InputSequence& sequence, TranscriptEntry& answer) = 0;
-  /// Expects a new run: after configure() or reset().
-  virtual void beginRun() = 0;
-  /// Expects the run of `other` to continue here: its state was loaded into this instance.
-  virtual void continueRun(const RoleDriver& other) = 0;
-  virtual host::Instance& instance() = 0;
-  /// Number of events that need a long drive, such as closed loops; an empty name for roles without
-  /// such events.
-  virtual Measurement reached() const { return {}; }
-
-  CameraRig rig{};        ///< of the source of the run
-  std::string scratch{};  ///< folder for files of the plugin
-};
-
 bool close(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.matrix() - b.matrix()).norm() < 1e-6 * (1 + a.translation().norm());
 }
@@ -51,27 +30,24 @@ namespace {
 
 /// `Progress` is what the checks of a run need of its earlier frames.
 template <class Stage, class Progress>
-class DriverOf : public RoleDriver {
+class InstanceOf : public TestInstance {
  public:
-  explicit DriverOf(std::unique_ptr<host::Instance> instance) : stage_(std::move(instance)) {}
+  InstanceOf(const PluginUnderTest& plugin, std::unique_ptr<host::Instance> instance)
+      : TestInstance(plugin), stage_(std::move(instance)) {}
+  ~InstanceOf() override { (void)destroy(); }
+  void continueRun(const TestInstance& other) override {
+    now_ = static_cast<const InstanceOf&>(other).now_;
+    resetChecks();
+  }
+
+ protected:
   host::Instance& instance() override { return stage_.instance(); }
   void beginRun() override {
     now_ = {};
     resetChecks();
   }
-  void continueRun(const RoleDriver& other) override {
-    now_ = static_cast<const DriverOf&>(other).now_;
-    resetChecks();
-  }
-
- protected:
   /// Sets the state of the host's own checks to the progress of the run.
   virtual void resetChecks() {}
-  /// Adds the call site to a failure that the kit found.
-  Status checked(std::string_view call, std::int64_t frame, const Status& status) {
-    return host::guarded({instance().name(), instance().manifest().id, call, frame},
-                         [&] { return status; });
-  }
   Stage stage_;
   Progress now_;
 };
@@ -81,14 +57,14 @@ struct SourceProgress {
   std::int64_t last_ns = 0;
 };
 
-class SourceDriver final : public DriverOf<host::SourceStage, SourceProgress> {
+class SourceInstance final : public InstanceOf<host::SourceStage, SourceProgress> {
  public:
-  using DriverOf::DriverOf;
+  using InstanceOf::InstanceOf;
   void beginRun() override {
-    DriverOf::beginRun();
+    InstanceOf::beginRun();
     has_info_ = false;
   }
-  Status process(const FrameInput&, TranscriptEntry& answer) override {
+  Status answer(const FrameInput&, TranscriptEntry& answer) override {
     if (Status status = readInfo(answer); !status.isOk()) return status;
     Frame frame;
     const Status status = stage_.next(frame);
@@ -99,7 +75,7 @@ class SourceDriver final : public DriverOf<host::SourceStage, SourceProgress> {
     answer.add(frame);
     return Status::ok();
   }
-  Status finish(const InputSequence&, TranscriptEntry&) override { return Status::ok(); }
+  Status answerEnd(const InputSequence&, TranscriptEntry&) override { return Status::ok(); }
 
  private:
   void resetChecks() override { stage_.resetChecks(now_.next, now_.last_ns); }
@@ -120,10 +96,10 @@ class SourceDriver final : public DriverOf<host::SourceStage, SourceProgress> {
 };
 
 /// Remembers the previous frame.
-class OdometryDriver final : public DriverOf<host::OdometryStage, std::optional<Frame>> {
+class OdometryInstance final : public InstanceOf<host::OdometryStage, std::optional<Frame>> {
  public:
-  using DriverOf::DriverOf;
-  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+  using InstanceOf::InstanceOf;
+  Status answer(const FrameInput& input, TranscriptEntry& answer) override {
     Motion motion;
     Status status = stage_.track(input.frame, motion);
     if (status.isOk()) {
@@ -134,7 +110,7 @@ class OdometryDriver final : public DriverOf<host::OdometryStage, std::optional<
     answer.add(motion);
     return status;
   }
-  Status finish(const InputSequence&, TranscriptEntry& answer) override {
+  Status answerEnd(const InputSequence&, TranscriptEntry& answer) override {
     std::vector<MotionRevision> revisions;
     const Status status = stage_.finish(revisions);
     answer.addValue("revisions", revisions);
@@ -146,10 +122,10 @@ class OdometryDriver final : public DriverOf<host::OdometryStage, std::optional<
 };
 
 /// Counts the templates.
-class PlaceDriver final : public DriverOf<host::PlaceStage, std::int64_t> {
+class PlaceInstance final : public InstanceOf<host::PlaceStage, std::int64_t> {
  public:
-  using DriverOf::DriverOf;
-  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+  using InstanceOf::InstanceOf;
+  Status answer(const FrameInput& input, TranscriptEntry& answer) override {
     const bool wants_motion = stage_.input() == PlaceInput::FrameAndMotion;
     PlaceObservation seen;
     const Status status = stage_.observe(input.frame, wants_motion ? &input.motion : nullptr, seen);
@@ -159,7 +135,7 @@ class PlaceDriver final : public DriverOf<host::PlaceStage, std::int64_t> {
     if (seen.recognition == Recognition::Novel) ++now_;
     return status;
   }
-  Status finish(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
+  Status answerEnd(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
   Measurement reached() const override { return {"familiar views", familiar_, ""}; }
 
  private:
@@ -168,10 +144,10 @@ class PlaceDriver final : public DriverOf<host::PlaceStage, std::int64_t> {
 };
 
 /// Counts the experiences.
-class CellsDriver final : public DriverOf<host::CellsStage, std::int64_t> {
+class CellsInstance final : public InstanceOf<host::CellsStage, std::int64_t> {
  public:
-  using DriverOf::DriverOf;
-  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+  using InstanceOf::InstanceOf;
+  Status answer(const FrameInput& input, TranscriptEntry& answer) override {
     Decision decision;
     const Status status = stage_.step(input.motion, input.place, decision);
     answer.add(decision);
@@ -180,7 +156,7 @@ class CellsDriver final : public DriverOf<host::CellsStage, std::int64_t> {
     if (decision.action == Action::CloseLoop) ++loops_;
     return status;
   }
-  Status finish(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
+  Status answerEnd(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
   Measurement reached() const override { return {"loops closed", loops_, ""}; }
 
  private:
@@ -189,10 +165,10 @@ class CellsDriver final : public DriverOf<host::CellsStage, std::int64_t> {
 };
 
 /// Remembers the frames.
-class MapDriver final : public DriverOf<host::MapStage, std::vector<std::int64_t>> {
+class MapInstance final : public InstanceOf<host::MapStage, std::vector<std::int64_t>> {
  public:
-  using DriverOf::DriverOf;
-  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+  using InstanceOf::InstanceOf;
+  Status answer(const FrameInput& input, TranscriptEntry& answer) override {
     MapUpdate update;
     Status status = stage_.update(input.motion, input.decision, update);
     answer.add(update);
@@ -203,7 +179,7 @@ class MapDriver final : public DriverOf<host::MapStage, std::vector<std::int64_t
     now_.push_back(input.frame.frame);
     return checkPoses(input.frame.frame, update.T_world_camera);
   }
-  Status finish(const InputSequence& sequence, TranscriptEntry& answer) override {
+  Status answerEnd(const InputSequence& sequence, TranscriptEntry& answer) override {
     Status status = stage_.finish(sequence.last_revisions);
     MapGraph graph;
     if (status.isOk()) status = stage_.graph(graph);
@@ -241,16 +217,16 @@ class MapDriver final : public DriverOf<host::MapStage, std::vector<std::int64_t
   double loops_ = 0;
 };
 
-class ObserverDriver final : public DriverOf<host::ObserverStage, std::monostate> {
+class ObserverInstance final : public InstanceOf<host::ObserverStage, std::monostate> {
  public:
-  using DriverOf::DriverOf;
+  using InstanceOf::InstanceOf;
   void beginRun() override { begin_called_ = false; }
-  Status process(const FrameInput& input, TranscriptEntry&) override {
+  Status answer(const FrameInput& input, TranscriptEntry&) override {
     if (Status status = callBegin(); !status.isOk()) return status;
     return stage_.observe({&input.frame, &input.motion, &input.place, &input.decision, &input.map,
                            &input.cells, input.graph ? &*input.graph : nullptr});
   }
-  Status finish(const InputSequence& sequence, TranscriptEntry&) override {
+  Status answerEnd(const InputSequence& sequence, TranscriptEntry&) override {
     const Status status = callBegin();
     return status.isOk() ? stage_.finish(sequence.graph) : status;
   }
@@ -258,22 +234,29 @@ class ObserverDriver final : public DriverOf<host::ObserverStage, std::monostate
  private:
   Status callBegin() {
     if (std::exchange(begin_called_, true)) return Status::ok();
-    return stage_.begin({"conformance", scratch, {"synthetic room", rig, -1, true}, {}});
+    return stage_.begin(
+        {"conformance", plugin_.scratch.string(), {"synthetic room", rig_, -1, true}, {}});
   }
   bool begin_called_ = false;
 };
 
-template <class Driver>
-std::unique_ptr<RoleDriver> make(std::unique_ptr<host::Instance> instance) {
-  return std::make_unique<Driver>(std::move(instance));
+template <class Role>
+std::unique_ptr<TestInstance> makeInstance(const PluginUnderTest& plugin,
+                                           std::unique_ptr<host::Instance> instance) {
+  return std::make_unique<Role>(plugin, std::move(instance));
 }
 
-std::unique_ptr<RoleDriver> makeDriver(Role role, std::unique_ptr<host::Instance> instance) {
-  constexpr std::array kMakers = {&make<SourceDriver>, &make<OdometryDriver>,
-                                  &make<PlaceDriver>,  &make<CellsDriver>,
-                                  &make<MapDriver>,    &make<ObserverDriver>};
-  return kMakers.at(static_cast<std::size_t>(role))(std::move(instance));
-}
+/// Services of the context that ignore everything.
+struct NoServices final : Logger, FindingCollector, ArtefactWriter, Cancellation, Clock {
+  void write(LogLevel, std::string_view) override {}
+  void add(Finding) override {}
+  Status write(std::string_view, std::span<const std::byte>) override { return Status::ok(); }
+  bool requested() const override { return false; }
+  std::int64_t steadyNs() const override {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+  }
+} services;
 
 }  // namespace
 
@@ -296,72 +279,53 @@ std::optional<std::string> firstDifference(const Transcript& expected, const Tra
   return std::to_string(found.size()) + " answers instead of " + std::to_string(count);
 }
 
-/// Services of the context that ignore everything.
-struct TestInstance::Services final : Logger,
-                                      FindingCollector,
-                                      ArtefactWriter,
-                                      Cancellation,
-                                      Clock {
-  void write(LogLevel, std::string_view) override {}
-  void add(Finding) override {}
-  Status write(std::string_view, std::span<const std::byte>) override { return Status::ok(); }
-  bool requested() const override { return false; }
-  std::int64_t steadyNs() const override {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
-  }
-};
-
-TestInstance::TestInstance(const PluginUnderTest& plugin, ParameterValues values)
-    : plugin_(plugin), values_(std::move(values)), services_(std::make_unique<Services>()) {
-  plugin_.trace("construct");
-  auto created = host::Instance::create(plugin_.loaded, std::string(enumName(plugin.role())));
-  if (const auto* refusal = std::get_if<host::Refusal>(&created)) {
-    created_ = Status::failed(refusal->message);
-    return;
-  }
-  driver_ =
-      makeDriver(plugin.role(), std::move(std::get<std::unique_ptr<host::Instance>>(created)));
-  driver_->scratch = plugin_.scratch.string();
+std::unique_ptr<TestInstance> TestInstance::make(const PluginUnderTest& plugin,
+                                                 ParameterValues values) {
+  constexpr std::array kMakers = {&makeInstance<SourceInstance>, &makeInstance<OdometryInstance>,
+                                  &makeInstance<PlaceInstance>,  &makeInstance<CellsInstance>,
+                                  &makeInstance<MapInstance>,    &makeInstance<ObserverInstance>};
+  plugin.trace("construct");
+  auto created = host::Instance::create(plugin.loaded, std::string(enumName(plugin.role())));
+  auto instance = kMakers.at(static_cast<std::size_t>(plugin.role()))(plugin, std::move(created));
+  instance->values_ = std::move(values);
+  return instance;
 }
 
-TestInstance::~TestInstance() { (void)destroy(); }
+Status TestInstance::checked(std::string_view call, std::int64_t frame, const Status& status) {
+  return host::guarded({instance().name(), instance().manifest().id, call, frame},
+                       [&] { return status; });
+}
 
 Status TestInstance::configure(const CameraRig& rig) {
-  if (!created_.isOk()) return created_;
   plugin_.trace("configure");
   const bool is_source = plugin_.role() == Role::Source;
   const Context context{values_,
-                        *services_,
-                        *services_,
-                        *services_,
-                        *services_,
-                        *services_,
+                        services,
+                        services,
+                        services,
+                        services,
+                        services,
                         is_source ? CameraRig() : rig,
                         plugin_.seed,
-                        driver_->instance().name()};
-  driver_->rig = rig;
-  const Status status = driver_->instance().configure(context);
-  if (status.isOk()) driver_->beginRun();
+                        instance().name()};
+  rig_ = rig;
+  const Status status = instance().configure(context);
+  if (status.isOk()) beginRun();
   return status;
 }
 
 Status TestInstance::reset() {
   plugin_.trace("reset");
-  const Status status = driver_->instance().reset();
+  const Status status = instance().reset();
   beginRun();
-  return status;
-}
-
-void TestInstance::beginRun() {
-  driver_->beginRun();
   frames_ = 0;
   ended_ = false;
+  return status;
 }
 
 Status TestInstance::appendArrays(std::int64_t frame, TranscriptEntry& answer) {
   std::vector<NamedArray> arrays;
-  const Status status = driver_->instance().arrays(frame, arrays);
+  const Status status = instance().arrays(frame, arrays);
   for (const NamedArray& array : arrays) answer.addValue(array.name, array);
   return status;
 }
@@ -369,17 +333,17 @@ Status TestInstance::appendArrays(std::int64_t frame, TranscriptEntry& answer) {
 Status TestInstance::process(const FrameInput& input) {
   const bool source = plugin_.role() == Role::Source;
   const std::int64_t frame = source ? frames_ : input.frame.frame;
-  TranscriptEntry answer;
-  answer.call = "frame " + std::to_string(frame);
-  plugin_.trace(answer.call);
-  Status status = driver_->process(input, answer);
+  TranscriptEntry entry;
+  entry.call = "frame " + std::to_string(frame);
+  plugin_.trace(entry.call);
+  Status status = answer(input, entry);
   if (status.code() == StatusCode::EndOfStream) {
     ended_ = true;
     return status;
   }
-  if (status.isOk()) status = appendArrays(frame, answer);
+  if (status.isOk()) status = appendArrays(frame, entry);
   ++frames_;
-  if (status.isOk()) transcript_.push_back(std::move(answer));
+  if (status.isOk()) transcript_.push_back(std::move(entry));
   return status;
 }
 
@@ -396,35 +360,26 @@ Status TestInstance::finish(const InputSequence& sequence) {
   TranscriptEntry answer;
   answer.call = "finish";
   plugin_.trace(answer.call);
-  const Status status = driver_->finish(sequence, answer);
+  const Status status = answerEnd(sequence, answer);
   if (status.isOk()) transcript_.push_back(std::move(answer));
   return status;
 }
 
 Status TestInstance::destroy() {
-  if (!driver_) return Status::ok();
   plugin_.trace("destroy");
-  const Status status = driver_->instance().destroy();
-  driver_.reset();
-  return status;
+  return instance().destroy();
 }
-
-bool TestInstance::keepsState() const { return driver_ && driver_->instance().state() != nullptr; }
 
 Status TestInstance::save(std::ostream& stream) {
   plugin_.trace("save");
-  return driver_->instance().call<Plugin>(
-      "save", -1, [&](Plugin&) { return host::saveTo(stream, *driver_->instance().state()); });
+  return instance().call<Plugin>(
+      "save", -1, [&](Plugin&) { return host::saveTo(stream, *instance().state()); });
 }
 
 Status TestInstance::load(std::istream& stream) {
   plugin_.trace("load");
-  return driver_->instance().call<Plugin>(
-      "load", -1, [&](Plugin&) { return driver_->instance().state()->load(stream); });
+  return instance().call<Plugin>("load", -1,
+                                 [&](Plugin&) { return instance().state()->load(stream); });
 }
-
-Measurement TestInstance::reached() const { return driver_->reached(); }
-
-void TestInstance::continueRun(const TestInstance& other) { driver_->continueRun(*other.driver_); }
 
 }  // namespace tolman::conformance

@@ -72,18 +72,19 @@ struct PluginUnderTest : Settings {
   Role role() const { return loaded.manifest.role; }
 };
 
-class RoleDriver;
-
-/// One instance from construction to destruction.
+/// One instance from construction to destruction, called in its role through the host's guarded
+/// stage. Answers are checked against those of earlier frames.
 class TestInstance {
  public:
-  explicit TestInstance(const PluginUnderTest& plugin) : TestInstance(plugin, plugin.values) {}
-  TestInstance(const PluginUnderTest& plugin, ParameterValues values);
-  ~TestInstance();
+  /// Throws host::Refusal where the plugin makes no object.
+  static std::unique_ptr<TestInstance> make(const PluginUnderTest& plugin, ParameterValues values);
+  static std::unique_ptr<TestInstance> make(const PluginUnderTest& plugin) {
+    return make(plugin, plugin.values);
+  }
+  virtual ~TestInstance() = default;
   TestInstance(const TestInstance&) = delete;
   TestInstance& operator=(const TestInstance&) = delete;
 
-  /// Also returns a failure of the constructor.
   Status configure(const CameraRig& rig);
   Status reset();
   Status process(const FrameInput& input);
@@ -94,28 +95,35 @@ class TestInstance {
 
   Status save(std::ostream& stream);
   Status load(std::istream& stream);
-  bool keepsState() const;
+  bool keepsState() { return instance().state() != nullptr; }
   /// Number of events that need a long drive, such as closed loops; an empty name for roles without
   /// such events.
-  Measurement reached() const;
+  virtual Measurement reached() const { return {}; }
   /// Expects the run of `other` to continue here: its state was loaded into this instance.
-  void continueRun(const TestInstance& other);
-  /// Expects the answers of a new instance from now on: after reset() or a load() that failed.
-  void beginRun();
+  virtual void continueRun(const TestInstance& other) = 0;
 
   const Transcript& transcript() const { return transcript_; }
   void clearTranscript() { transcript_.clear(); }
   bool ended() const { return ended_; }  ///< the source returned EndOfStream
 
- private:
-  struct Services;
-  Status appendArrays(std::int64_t frame, TranscriptEntry& answer);
+ protected:
+  explicit TestInstance(const PluginUnderTest& plugin) : plugin_(plugin) {}
+  virtual host::Instance& instance() = 0;
+  /// One frame. A source ignores the input and gives its next frame.
+  virtual Status answer(const FrameInput& input, TranscriptEntry& answer) = 0;
+  virtual Status answerEnd(const InputSequence& sequence, TranscriptEntry& answer) = 0;
+  /// Expects a new run: after configure() or reset().
+  virtual void beginRun() = 0;
+  /// Adds the call site to a failure that the kit found.
+  Status checked(std::string_view call, std::int64_t frame, const Status& status);
 
   const PluginUnderTest& plugin_;
+  CameraRig rig_;  ///< of the source of the run
+
+ private:
+  Status appendArrays(std::int64_t frame, TranscriptEntry& answer);
+
   ParameterValues values_;
-  std::unique_ptr<Services> services_;
-  Status created_;
-  std::unique_ptr<RoleDriver> driver_;
   Transcript transcript_;
   std::int64_t frames_ = 0;
   bool ended_ = false;

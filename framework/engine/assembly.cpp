@@ -29,8 +29,11 @@ FailureKind configureFailure(Role role, const Status& status) {
 std::unique_ptr<host::Instance> instantiate(const CheckedSystem& system, std::size_t i) {
   const std::string& name = system.config.stages[i].instance;
   const auto& remote = system.remotes[i];
-  return require(
-      remote ? host::instantiate(remote, name) : host::Instance::create(system.plugins[i], name),
+  return opening(
+      [&] {
+        return remote ? host::instantiate(remote, name)
+                      : host::Instance::create(system.plugins[i], name);
+      },
       name);
 }
 

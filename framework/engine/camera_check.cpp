@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numbers>
 
 namespace tolman::engine {
@@ -82,17 +81,14 @@ std::vector<std::string> cameraDoubts(const RawRig& raw, const CameraRig& rectif
 
 bool isNearlyBlack(const Image& image) {
   constexpr int kQuarter = 64;
-  constexpr std::size_t kShare = 10'000;
-  if (image.empty()) return false;
+  constexpr std::int64_t kShare = 10'000;
   const std::ptrdiff_t bytes = std::ptrdiff_t{image.width()} * bytesPerPixel(image.format());
-  std::size_t bright = 0;
+  std::int64_t bright = 0;
   for (int r = 0; r < image.height(); ++r) {
-    const std::uint8_t* row = image.row(r);
-    bright += static_cast<std::size_t>(
-        std::count_if(row, row + bytes, [](std::uint8_t value) { return value >= kQuarter; }));
+    bright += std::count_if(image.row(r), image.row(r) + bytes,
+                            [](std::uint8_t value) { return value >= kQuarter; });
   }
-  const auto all = static_cast<std::size_t>(bytes) * static_cast<std::size_t>(image.height());
-  return bright <= all / kShare;
+  return !image.empty() && bright <= bytes * image.height() / kShare;
 }
 
 namespace {
@@ -104,30 +100,21 @@ constexpr int kSoundAgain = 5;       // measures without a fault, in succession,
 constexpr std::size_t kFewest = 20;  // matches of which rowsText() speaks
 constexpr std::size_t kMostRows = 500;  // likewise
 
-/// Whether two images have the same pixels. Two exposures of a real camera never have, because of
-/// noise.
-bool samePixels(const Image& a, const Image& b) {
+/// Whether two images have the same pixels, and not one grey level alone. Two exposures of a real
+/// camera never have, because of noise; a covered camera or darkness gives such images again and
+/// again, which odometry detects.
+bool isRepeated(const Image& a, const Image& b) {
   if (a.empty() || a.width() != b.width() || a.height() != b.height() || a.format() != b.format()) {
     return false;
   }
-  const auto bytes = static_cast<std::size_t>(a.width() * bytesPerPixel(a.format()));
+  const auto bytes = std::ptrdiff_t{a.width()} * bytesPerPixel(a.format());
+  bool is_uniform = true;
   for (int r = 0; r < a.height(); ++r) {
-    if (std::memcmp(a.row(r), b.row(r), bytes) != 0) return false;
+    const std::uint8_t* row = a.row(r);
+    if (!std::equal(row, row + bytes, b.row(r))) return false;
+    is_uniform = is_uniform && std::count(row, row + bytes, a.row(0)[0]) == bytes;
   }
-  return true;
-}
-
-/// Whether all pixels are equal. A covered camera or darkness gives such images again and again,
-/// which is not a fault here: odometry detects it.
-bool isUniform(const Image& image) {
-  const std::size_t bytes = static_cast<std::size_t>(image.width() * bytesPerPixel(image.format()));
-  for (int r = 0; r < image.height(); ++r) {
-    const std::uint8_t* row = image.row(r);
-    if (std::any_of(row, row + bytes, [&](std::uint8_t v) { return v != image.row(0)[0]; })) {
-      return false;
-    }
-  }
-  return true;
+  return !is_uniform;
 }
 
 }  // namespace
@@ -156,15 +143,15 @@ StereoFault FrameCheck::stereoFault(const Frame& frame) {
 }
 
 FrameCheck::Use FrameCheck::useOf(const Frame& frame, std::string& defect) {
-  const bool left = samePixels(frame.left, left_) && !isUniform(frame.left);
-  const bool right = samePixels(frame.right, right_) && !isUniform(frame.right);
+  const bool left = isRepeated(frame.left, left_);
+  const bool right = isRepeated(frame.right, right_);
   if (left || right) {
     defect = left && right ? "both images repeat those of the frame before: no new ones come"
              : left        ? "the left image repeats that of the frame before: no new one comes"
                            : "the right image repeats that of the frame before: no new one comes";
     return left ? Use::None : Use::Left;
   }
-  if (samePixels(frame.left, frame.right) && !isUniform(frame.left)) {
+  if (isRepeated(frame.left, frame.right)) {
     defect = "the right image is the left one";
     return Use::Left;
   }

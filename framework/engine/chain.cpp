@@ -54,7 +54,15 @@ void Chain::failBy(Role role, const Status& status) {
 void Chain::fail(Role role, const Status& status) {
   const FailureKind usual = role == Role::Source ? FailureKind::Dataset : FailureKind::Stage;
   const std::lock_guard lock(failure_mutex_);
-  if (!failure_) failure_ = {kindOf(status, usual), status.message(), std::string(enumName(role))};
+  if (!failure_) failure_ = {kindOf(status, usual), status.message(), nameOf(role)};
+}
+
+std::string Chain::nameOf(Role role) const {
+  if (role == Role::Observer) return listener_.failedStage();
+  const std::array<const host::Instance*, 5> instances = {
+      &stages_.source.instance(), &stages_.odometry.instance(), &stages_.place.instance(),
+      &stages_.cells.instance(), &stages_.map.instance()};
+  return instances.at(static_cast<std::size_t>(role))->name();
 }
 
 std::optional<Failure> Chain::failure() const {
@@ -91,7 +99,7 @@ FrameRecordsPtr Chain::readFrame(const Cancellation& cancellation) {
   }
   listener_.onEvent({-1, LogLevel::Error, "source", status.message()});
   const std::lock_guard lock(failure_mutex_);
-  input_failure_ = {kindOf(status, FailureKind::Dataset), status.message(), "source"};
+  input_failure_ = {kindOf(status, FailureKind::Dataset), status.message(), nameOf(Role::Source)};
   return nullptr;
 }
 
@@ -161,7 +169,7 @@ bool Chain::acceptScale(const Motion& motion) {
       motion.frame, unit(motion.scale_known), before->session, unit(before->is_known));
   listener_.onEvent({motion.frame, LogLevel::Error, "odometry", text});
   const std::lock_guard lock(failure_mutex_);
-  if (!failure_) failure_ = {FailureKind::Continuation, text, "odometry"};
+  if (!failure_) failure_ = {FailureKind::Continuation, text, nameOf(Role::Odometry)};
   return false;
 }
 

@@ -118,8 +118,8 @@ class Chain {
     });
     if (!status.isOk()) failBy(role, status);
   }
-  /// The failure that stopped the run: of a stage, else of the source; none if there is none. Its
-  /// stage is the name of a role; `observer`: of the listener, i.e. recorder or observers.
+  /// The failure that stopped the run: of a stage or of the listener, else of the source; none if
+  /// there is none.
   std::optional<Failure> failure() const;
   /// Whether place recognition must run after odometry.
   bool placeNeedsMotion() const { return place_needs_motion_; }
@@ -141,6 +141,8 @@ class Chain {
 
  private:
   void failBy(Role role, const Status& status);
+  /// The name of the stage in the configuration.
+  std::string nameOf(Role role) const;
   /// Whether the run continues after an answer with this status (`on_failure` of the stage).
   bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
                    Role role);

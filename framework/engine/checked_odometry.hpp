@@ -68,6 +68,7 @@ class CheckedOdometry {
   CheckedOdometry(host::OdometryStage& odometry, const config::CheckSettings& settings)
       : odometry_(odometry), check_images_(settings.images), motion_check_(settings) {}
 
+  const host::Instance& instance() const { return odometry_.instance(); }
   /// Checks the images of a frame (see FrameCheck); returns their fault. Frames must come in order,
   /// one call at a time; track() may still work on an earlier one.
   std::optional<std::string> admit(Frame& frame) {

@@ -68,7 +68,7 @@ struct Opened {
   std::shared_ptr<host::RemotePlugin> remote;
 };
 
-/// The program that the key `file` names, as a plugin. Throws Failure.
+/// The program that the key `file` names, as a plugin. Throws Failure or host::Refusal.
 host::Manifest programOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
                          const config::SystemConfig& config) {
   const Schema schema = config::programSchema();
@@ -80,36 +80,35 @@ host::Manifest programOf(const host::Catalogue& catalogue, const config::StageCo
   if (!problems.empty())
     throw Failure(FailureKind::Configuration,
                   "'" + schema[0].name + "' " + problems.front().message);
-  return require(catalogue.program(std::get<std::string>(values.at(schema[0].name))));
+  return catalogue.program(std::get<std::string>(values.at(schema[0].name)));
 }
 
-/// Opens a plugin in a process of its own. Throws Failure.
+/// Opens a plugin in a process of its own. Throws host::Refusal.
 Opened openApart(const host::Manifest& manifest, Role role, const config::SystemConfig& config,
                  const SystemOptions& options) {
   const host::LaunchOptions launch{options.stage_program, config.isolation.deadline,
                                    static_cast<std::uint64_t>(config.isolation.memory_limit),
                                    config.general.threads};
-  auto remote = require(host::RemotePlugin::start(manifest, launch));
+  auto remote = host::RemotePlugin::start(manifest, launch);
   if (remote->manifest().role != role) {  // known of a program only when it is open
-    require(host::OrRefusal<bool>(
-        host::Refusal{"plugin/wrong-role",
-                      fmt::format("{} has the role {}, not {}", manifest.program.string(),
-                                  enumName(remote->manifest().role), enumName(role)),
-                      "derive its class from the class of the stage's role"}));
+    throw host::Refusal{"plugin/wrong-role",
+                        fmt::format("{} has the role {}, not {}", manifest.program.string(),
+                                    enumName(remote->manifest().role), enumName(role)),
+                        "derive its class from the class of the stage's role"};
   }
   Schema schema = manifest.program.empty() ? Schema() : config::programSchema();
   schema.insert(schema.end(), remote->schema().begin(), remote->schema().end());
   return {{remote->manifest(), nullptr, std::move(schema)}, remote};
 }
 
-/// Opens the plugin of a stage. Throws Failure.
+/// Opens the plugin of a stage. Throws Failure or host::Refusal.
 Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
             const config::SystemConfig& config, const SystemOptions& options) {
   const auto manifest = manifestOf(catalogue, stage, config);
   if (options.apart || !manifest.program.empty() || stage.isolation != config::Isolation::None) {
     return openApart(manifest, stage.role, config, options);
   }
-  return {require(host::loadPlugin(manifest, host::HostIdentity::ofThisBuild())), nullptr};
+  return {host::loadPlugin(manifest, host::HostIdentity::ofThisBuild()), nullptr};
 }
 
 /// Enables restarts of a remote plugin. Creates its object, because only the object shows whether
@@ -117,15 +116,18 @@ Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
 void prepareRestart(const config::StageConfig& stage, host::RemotePlugin& remote,
                     config::Problems& problems) {
   const config::Origin origin = stage.given.find("on_failure")->origin;
-  if (const auto refusal = remote.create()) {
-    problems.push_back({origin, stage.path + ".plugin", refusal->text(), Kind::Plugin});
-  } else if (!remote.enableRestart()) {
-    problems.push_back(
-        {origin, stage.path + ".on_failure",
-         "plugin '" + stage.plugin +
-             "' cannot be restarted in a new process (a source never can; place, cells and map "
-             "plugins must save their state); use 'skip' or 'stop'"});
+  try {
+    remote.create();
+  } catch (const host::Refusal& refusal) {
+    problems.push_back({origin, stage.path + ".plugin", refusal.text(), Kind::Plugin});
+    return;
   }
+  if (remote.enableRestart()) return;
+  problems.push_back(
+      {origin, stage.path + ".on_failure",
+       "plugin '" + stage.plugin +
+           "' cannot be restarted in a new process (a source never can; place, cells and map "
+           "plugins must save their state); use 'skip' or 'stop'"});
 }
 
 }  // namespace
@@ -137,41 +139,46 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
       host::searchPath(plugin_paths, std::getenv("TOLMAN_PLUGIN_PATH"), executable));
 }
 
-host::OrRefusal<std::string> findPageObserver(const host::Catalogue& catalogue,
-                                              const std::string& wanted) {
+std::string findPageObserver(const host::Catalogue& catalogue, const std::string& wanted) {
   std::set<std::string> ids;
   for (const host::Manifest& manifest : catalogue.manifests()) {
     if (manifest.role == Role::Observer && manifest.hasExtra("page")) ids.insert(manifest.id);
   }
   if (!wanted.empty()) {
-    const auto found = catalogue.find(wanted, Role::Observer);
-    if (const auto* refusal = std::get_if<host::Refusal>(&found)) return *refusal;
+    opening([&] { return catalogue.find(wanted, Role::Observer); });
     if (ids.contains(wanted)) return wanted;
   } else if (!ids.empty()) {
     return *ids.begin();
   }
-  return host::Refusal{"plugin/no-page",
-                       wanted.empty() ? "no observer on the search path serves a page"
-                                      : "observer '" + wanted + "' serves no page",
-                       ids.empty() ? "name the folder of such an observer with --plugin-path"
-                                   : fmt::format("observers that do: {}", fmt::join(ids, ", "))};
+  const host::Refusal none{"plugin/no-page",
+                           wanted.empty() ? "no observer on the search path serves a page"
+                                          : "observer '" + wanted + "' serves no page",
+                           ids.empty()
+                               ? "name the folder of such an observer with --plugin-path"
+                               : fmt::format("observers that do: {}", fmt::join(ids, ", "))};
+  throw Failure(kindOf(none), none.text());
 }
 
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role) {
-  return require(
-      host::loadPlugin(require(catalogue.find(id, role)), host::HostIdentity::ofThisBuild()));
+  return opening([&] {
+    return host::loadPlugin(catalogue.find(id, role), host::HostIdentity::ofThisBuild());
+  });
 }
 
 host::Manifest manifestOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
                           const config::SystemConfig& config) {
-  if (catalogue.interpreter(stage.plugin) != nullptr) return programOf(catalogue, stage, config);
-  return require(catalogue.find(stage.plugin, stage.role));
+  if (catalogue.interpreter(stage.plugin) != nullptr) {
+    return opening([&] { return programOf(catalogue, stage, config); });
+  }
+  return opening([&] { return catalogue.find(stage.plugin, stage.role); });
 }
 
 host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
                                 const config::SystemConfig& config) {
-  if (!manifest.program.empty()) return openApart(manifest, role, config, {}).plugin;
-  return require(host::loadPlugin(manifest, host::HostIdentity::ofThisBuild()));
+  return opening([&] {
+    if (!manifest.program.empty()) return openApart(manifest, role, config, {}).plugin;
+    return host::loadPlugin(manifest, host::HostIdentity::ofThisBuild());
+  });
 }
 
 bool hasChain(const SystemOptions& options) {
@@ -194,7 +201,7 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
     if (stage.plugin.empty()) continue;  // already a problem
     Opened opened;
     try {
-      opened = open(catalogue, stage, checked.config, options);
+      opened = opening([&] { return open(catalogue, stage, checked.config, options); });
     } catch (const Failure& refused) {
       if (refused.kind == FailureKind::Machine) return refused;
       problems.push_back(

@@ -43,9 +43,8 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);
 
 /// Id of the observer that serves a page of the run, for `--view` and `tolman view`: `wanted`, or
 /// when that is empty the first one by id whose manifest lists the extra `page` (class PageServer
-/// of the SDK). Refusals: plugin/not-found, plugin/no-page, and those of Catalogue::find().
-host::OrRefusal<std::string> findPageObserver(const host::Catalogue& catalogue,
-                                              const std::string& wanted = {});
+/// of the SDK). Throws Failure.
+std::string findPageObserver(const host::Catalogue& catalogue, const std::string& wanted = {});
 
 /// Finds one plugin, checks the gate and opens it. Throws Failure.
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role);

@@ -76,11 +76,14 @@ T require(std::variant<T, Failure> answer) {
   if (auto* failure = std::get_if<Failure>(&answer)) throw std::move(*failure);
   return std::get<T>(std::move(answer));
 }
-template <class T>
-T require(host::OrRefusal<T> answer, const std::string& stage = {}) {
-  const auto* refusal = std::get_if<host::Refusal>(&answer);
-  if (refusal != nullptr) throw Failure(kindOf(*refusal), refusal->text(), stage);
-  return std::get<T>(std::move(answer));
+/// Calls `work`, which opens plugins; the refusal of one becomes a failure of `stage`.
+template <class Work>
+auto opening(const Work& work, const std::string& stage = {}) {
+  try {
+    return work();
+  } catch (const host::Refusal& refusal) {
+    throw Failure(kindOf(refusal), refusal.text(), stage);
+  }
 }
 
 }  // namespace tolman::engine

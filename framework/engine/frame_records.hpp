@@ -149,6 +149,8 @@ class Listener {
   /// After the last frame and before onFinish(): final poses of all frames, those of earlier
   /// sessions included.
   virtual Status onTrajectory(const std::vector<FramePose>& /*poses*/) { return Status::ok(); }
+  /// Name of the stage that a failure of these functions is of.
+  virtual std::string failedStage() const { return std::string(enumName(Role::Observer)); }
   /// After the last frame, with the final map.
   virtual Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) = 0;
 };

@@ -196,22 +196,19 @@ std::vector<std::string> changedProgramFiles(const Json& before, const Json& now
                                              std::initializer_list<Role> roles) {
   std::set<std::string> changed;
   using Files = std::map<std::string, std::string>;
-  const auto addOthers = [&](const Files& files, const Files& others) {
+  const auto add_others = [&](const Files& files, const Files& others) {
     for (const auto& [file, digest] : files) {
-      const auto known = others.find(file);
-      const bool has_moved =
-          known == others.end() && std::ranges::any_of(others, [&d = digest](const auto& other) {
-            return other.second == d;
-          });
-      if (!has_moved && (known == others.end() || known->second != digest)) changed.insert(file);
+      const bool is_known = std::ranges::any_of(
+          others, [&d = digest](const auto& other) { return other.second == d; });
+      if (!is_known) changed.insert(file);
     }
   };
   for (const Role role : roles) {
     const Files then = filesOf(before, role);
     const Files files = filesOf(now, role);
     if (then.empty()) continue;
-    addOthers(files, then);
-    addOthers(then, files);
+    add_others(files, then);
+    add_others(then, files);
   }
   return {changed.begin(), changed.end()};
 }

@@ -101,7 +101,6 @@ constexpr int kMinSide = 32;  // px of a rectified image
 constexpr double kMaxPixels = 100e6;
 constexpr double kMinShare = 0.25;     // least view of a raw side, unless the user asks for less
 constexpr double kMinBaseline = 1e-3;  // m
-constexpr double kMaxBaseline = 5;     // m
 constexpr double kMaxTurned = 45;      // deg between the optical axes and the rectified one
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -141,12 +140,6 @@ Result<Turned> turnPair(const RawCamera& left, const RawCamera& right) {
     return Status::invalidInput(
         "both cameras are at one place; give their poses (Kalibr: T_cn_cnm1, EuRoC: T_BS, "
         "OpenCV: R and T), or use one camera");
-  }
-  if (baseline.norm() > kMaxBaseline) {
-    return Status::invalidInput(fmt::format(
-        "the cameras are {:.4g} m apart, more than 5 m; poses of cameras are in metres, "
-        "not in mm or cm",
-        baseline.norm()));
   }
   const Eigen::Vector3d x = baseline.normalized();
   if (x.x() < -std::cos(kMaxTurned * kDegree)) {

@@ -105,9 +105,9 @@ ParameterValues ReplayServer::parametersOf(const Schema& schema, bool running) c
 
 void ReplayServer::openObserver(bool running) {
   const host::Catalogue catalogue = openCatalogue(options_.plugin_paths);
-  const std::string id = require(findPageObserver(catalogue, options_.viewer));
-  const host::LoadedPlugin plugin = loadFrom(catalogue, id, Role::Observer);
-  auto instance = require(host::Instance::create(plugin, "viewer"));
+  const host::LoadedPlugin plugin =
+      loadFrom(catalogue, findPageObserver(catalogue, options_.viewer), Role::Observer);
+  auto instance = opening([&] { return host::Instance::create(plugin, "viewer"); });
   values_ = parametersOf(plugin.schema, running);
   const Context context{values_, logger_, findings_, artefacts_, cancellation_,
                         clock_,  {},      0,         "viewer"};

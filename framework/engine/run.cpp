@@ -67,8 +67,8 @@ void Run::drive(Outcome& outcome) {
   listener.reportRepeated();
   // The first that is one is the failure of the run.
   const std::optional<Failure> failures[] = {
-      recordFailure(listener.recordStatus()), recordFailure(recorder_->close()),
-      failureOf(result, listener), unsaved, result.interrupted ? stop_.reason() : std::nullopt};
+      recordFailure(listener.recordStatus()), recordFailure(recorder_->close()), failureOf(result),
+      unsaved, result.interrupted ? stop_.reason() : std::nullopt};
   for (const auto& failure : failures) {
     if (!outcome.failure) outcome.failure = failure;
   }
@@ -111,24 +111,15 @@ WatchdogSettings Run::watchdogSettings(RunListener& listener) {
   return settings;
 }
 
-std::optional<Failure> Run::failureOf(const DriveResult& result, const RunListener& listener) {
+std::optional<Failure> Run::failureOf(const DriveResult& result) {
   const RunCounters& n = result.counters;
-  std::optional<Failure> failure = result.failure;
-  if (failure && failure->stage == enumName(Role::Observer)) {
-    failure->stage = listener.failedObserver();
-  } else if (failure) {  // the chain knows roles; run.json has the names in the configuration
-    const auto& stages = config().stages;
-    const auto found = std::ranges::find_if(stages, [&](const config::StageConfig& stage) {
-      return enumName(stage.role) == failure->stage;
-    });
-    if (found != stages.end()) failure->stage = found->instance;
-  }
-  if (failure || result.interrupted || n.frames > 0) return failure;
-  failure = n.skipped > 0
-                ? Failure(FailureKind::Stage, "every frame was skipped, as a stage failed at each")
-                : Failure(FailureKind::Dataset,
-                          "source: gave no frame; look at first, last and step, and at the data");
-  log_.write(LogLevel::Error, "source", failure->message, false);
+  if (result.failure || result.interrupted || n.frames > 0) return result.failure;
+  const Failure failure =
+      n.skipped > 0
+          ? Failure(FailureKind::Stage, "every frame was skipped, as a stage failed at each")
+          : Failure(FailureKind::Dataset,
+                    "source: gave no frame; look at first, last and step, and at the data");
+  log_.write(LogLevel::Error, "source", failure.message, false);
   return failure;
 }
 
@@ -140,8 +131,8 @@ std::optional<Failure> Run::saveState(const DriveResult& result, RunListener& li
   const bool is_sound = !result.failure && listener.recordStatus().isOk();
   if (!is_sound || n.frames == 0 || !directory_->stillInPlace().isOk()) return std::nullopt;
   Status stage_failure;
-  const Status written = engine::saveState(
-      *assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1}, stage_failure);
+  const Status written = engine::saveState(*assembly_, directory_->path(),
+                                           {listener.nextFrame() - 1, n, {}}, stage_failure);
   if (!written.isOk()) return recordFailure(written);
   if (stage_failure.isOk()) return std::nullopt;
   if (n.skipped == 0) {

@@ -75,7 +75,7 @@ class Run {
   void drive(Outcome& outcome);
   void warnOfSource(const DriveResult& result, RunListener& listener);
   WatchdogSettings watchdogSettings(RunListener& listener);
-  std::optional<Failure> failureOf(const DriveResult& result, const RunListener& listener);
+  std::optional<Failure> failureOf(const DriveResult& result);
   std::optional<Failure> saveState(const DriveResult& result, RunListener& listener);
 
   void conclude(Outcome& outcome);

@@ -97,7 +97,7 @@ class RunListener : public Listener {
     return frames_ < 2 ? 0 : 1e-9 * static_cast<double>(last_ns_ - first_ns_) / (frames_ - 1);
   }
   /// Name of the observer that stopped the run; empty when none did.
-  const std::string& failedObserver() const { return failed_observer_; }
+  std::string failedStage() const override { return failed_observer_; }
 
  private:
   /// Runs `call` for each observer; failures follow the observer's policy.

@@ -92,7 +92,7 @@ void Run::continueEarlierRun() {
     refuseToContinue(status.message() + "; put it back, or run the earlier session again");
   }
   const std::int64_t frames = require(earlier_->nextFrame(), FailureKind::Continuation);
-  const SessionProgress before = loadState(*assembly_, directory);
+  const SavedSession before = loadState(*assembly_, directory);
   if (frames < before.frames || (before.finished && frames > before.frames)) {
     refuseToContinue(
         fmt::format("{}: run.sqlite has {} frames, the saved map {}; they are not of one run",
@@ -104,9 +104,8 @@ void Run::continueEarlierRun() {
   }
   assembly_->source().startAt(first_frame_);
   assembly_->odometry().startAt(first_frame_);
-  assembly_->place().resetChecks(before.templates);
-  assembly_->cells().resetChecks(before.experiences,
-                                 before.templates < 0 ? host::kUnlimited : before.templates);
+  assembly_->place().resetChecks(-1);
+  assembly_->cells().resetChecks(before.experiences);
 }
 
 /// Brings the stages to the state of the last checkpoint of the run that `resume` names. If that

@@ -28,8 +28,12 @@ fs::path checkpointFile(const fs::path& directory) {
   return directory / "state" / "checkpoint.json";
 }
 
-/// The common prefix of the files of one checkpoint.
+/// The common prefix of the files of the states of one checkpoint.
 std::string prefixOf(std::int64_t frame) { return fmt::format("{}-{}-", kCheckpoint, frame); }
+/// The same of the files beside `file`; none where it is that of the end.
+std::string prefixOf(const fs::path& file, std::int64_t frame) {
+  return file.stem() == kCheckpoint ? prefixOf(frame) : "";
+}
 
 [[noreturn]] void refuseDamaged(const fs::path& file) {
   refuseToContinue(file.string() + ": is damaged; run the earlier session again");
@@ -69,19 +73,20 @@ std::vector<SavedStage> savedStages(Assembly& assembly) {
   return saved;
 }
 
-/// Writes PREFIXstage.bin for each state, and then `file`: `contents` with plugin, version and
-/// parameters of each stage. Each file is written atomically.
-Status writeStates(Assembly& assembly, const fs::path& file, const std::string& prefix,
-                   const std::map<Role, std::string>& states, StateJson contents) {
+/// Writes the state of each stage, and then `file` with plugin, version and parameters of each.
+Status write(Assembly& assembly, const fs::path& file, const Checkpoint& state) {
   const fs::path folder = file.parent_path();
   std::error_code ignored;  // writing the files fails
   // Does not create parents, because the run directory may have been moved.
   fs::create_directory(folder, ignored);
-  contents["stages"] = StateJson::array();
+  StateJson contents = {{"frame", state.frame},
+                        {"counters", countersJson(state.counters)},
+                        {"stages", StateJson::array()}};
   for (const SavedStage& stage : savedStages(assembly)) {
-    const auto state = states.find(stage.config->role);
-    if (state == states.end()) continue;
-    const Status status = record::writeAtomically(folder / stage.file(prefix), state->second);
+    const auto bytes = state.states.find(stage.config->role);
+    if (bytes == state.states.end()) continue;
+    const fs::path own = folder / stage.file(prefixOf(file, state.frame));
+    const Status status = record::writeAtomically(own, bytes->second);
     if (!status.isOk()) return status;
     contents["stages"].push_back({{"role", enumName(stage.config->role)},
                                   {"plugin", stage.instance->manifest().id},
@@ -141,28 +146,24 @@ std::int64_t experiencesOf(Assembly& assembly) {
   return static_cast<std::int64_t>(graph.experiences.size());
 }
 
-SessionProgress loadSession(Assembly& assembly, const fs::path& file, const StateJson& contents) {
-  loadStates(assembly, file, "", contents);
-  SessionProgress progress;
-  progress.frames = config::integerFrom<std::int64_t>(contents.at("frames"));
-  progress.experiences = config::integerFrom<std::int64_t>(contents.at("experiences"));
-  progress.templates = config::integerFrom<std::int64_t>(contents.at("templates"));
-  if (progress.frames < 1 || progress.templates < -1) refuseDamaged(file);
-  if (const std::int64_t loaded = experiencesOf(assembly); progress.experiences != loaded) {
-    refuseToContinue(fmt::format(
-        "{}: has {} experiences, the map that was loaded {}; the file is damaged, or the map's "
-        "plugin does not load what it saved; run the earlier session again",
-        file.string(), progress.experiences, loaded));
-  }
-  return progress;
-}
-
-/// Calls `load(contents of the file)`, and reports JSON of a wrong shape as a damaged file.
-template <class Load>
-auto loaded(const fs::path& file, const Load& load) {
+/// The state that `file` describes: at the end of a run, or of a checkpoint.
+Checkpoint load(Assembly& assembly, const fs::path& file) {
   try {
-    return load(bounded_json::parse<StateJson>(textOf(file)));
-  } catch (const StateJson::exception&) {
+    const auto contents = bounded_json::parse<StateJson>(textOf(file));
+    Checkpoint state;
+    state.frame = config::integerFrom<std::int64_t>(contents.at("frame"));
+    if (state.frame < 0) refuseDamaged(file);
+    RunCounters::visit(state.counters, [&](const char* name, auto& value) {
+      const StateJson& count = contents.at("counters").at(name);
+      if constexpr (std::is_same_v<decltype(value), bool&>) {
+        count.get_to(value);
+      } else {
+        value = config::integerFrom<std::int64_t>(count);
+      }
+    });
+    loadStates(assembly, file, prefixOf(file, state.frame), contents);
+    return state;
+  } catch (const StateJson::exception&) {  // JSON of a wrong shape
     refuseDamaged(file);
   }
 }
@@ -180,9 +181,8 @@ void removeCheckpointsBut(const fs::path& folder, std::int64_t frame) {
 
 }  // namespace
 
-Status saveState(Assembly& assembly, const fs::path& directory, const SessionProgress& progress,
+Status saveState(Assembly& assembly, const fs::path& directory, Checkpoint state,
                  Status& stage_failure) {
-  std::map<Role, std::string> states;
   for (const SavedStage& stage : savedStages(assembly)) {
     if (stage.instance->state() == nullptr) continue;
     Result<std::string> bytes = stage.instance->save();
@@ -190,67 +190,38 @@ Status saveState(Assembly& assembly, const fs::path& directory, const SessionPro
       stage_failure = bytes.status();
       return Status::ok();
     }
-    states[stage.config->role] = std::move(bytes).value();
+    state.states[stage.config->role] = std::move(bytes).value();
   }
-  if (states.empty()) return Status::ok();
-  return writeStates(assembly, sessionFile(directory), "", states,
-                     {{"frames", progress.frames},
-                      {"experiences", progress.experiences},
-                      {"templates", progress.templates}});
+  return state.states.empty() ? Status::ok() : write(assembly, sessionFile(directory), state);
 }
 
-SessionProgress loadState(Assembly& assembly, const fs::path& directory) {
+SavedSession loadState(Assembly& assembly, const fs::path& directory) {
   const fs::path file = sessionFile(directory);
   std::error_code ignored;
-  if (fs::exists(file, ignored)) {
-    return loaded(file, [&](const StateJson& json) { return loadSession(assembly, file, json); });
-  }
-  if (!fs::exists(checkpointFile(directory), ignored)) {
+  const bool finished = fs::exists(file, ignored);
+  if (!finished && !fs::exists(checkpointFile(directory), ignored)) {
     refuseToContinue(
         directory.string() +
         ": this run saved no map that could be continued (it failed, was killed before its first "
         "checkpoint, is of an older version, or its plugins cannot save their state; see its "
         "log.txt); run it again to its end or to an interrupt");
   }
-  SessionProgress progress;
-  progress.frames = loadCheckpoint(assembly, directory).frame + 1;
-  progress.experiences = experiencesOf(assembly);
-  progress.finished = false;
-  return progress;
+  const Checkpoint state = load(assembly, finished ? file : checkpointFile(directory));
+  const std::int64_t loaded = experiencesOf(assembly);
+  if (finished && state.counters.experiences != loaded) {
+    refuseToContinue(fmt::format(
+        "{}: has {} experiences, the map that was loaded {}; the file is damaged, or the map's "
+        "plugin does not load what it saved; run the earlier session again",
+        file.string(), state.counters.experiences, loaded));
+  }
+  return {state.frame + 1, loaded, finished};
 }
 
 Status saveCheckpoint(Assembly& assembly, const fs::path& directory, const Checkpoint& checkpoint) {
   const fs::path file = checkpointFile(directory);
-  const Status status =
-      writeStates(assembly, file, prefixOf(checkpoint.frame), checkpoint.states,
-                  {{"frame", checkpoint.frame}, {"counters", countersJson(checkpoint.counters)}});
+  const Status status = write(assembly, file, checkpoint);
   if (status.isOk()) removeCheckpointsBut(file.parent_path(), checkpoint.frame);
   return status;
-}
-
-Checkpoint loadCheckpoint(Assembly& assembly, const fs::path& directory) {
-  const fs::path file = checkpointFile(directory);
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
-    refuseToContinue(directory.string() +
-                     ": has no checkpoint (it ended before the first one, see record.state_every, "
-                     "or place, cells or map cannot save their state); run it again");
-  }
-  return loaded(file, [&](const StateJson& contents) {
-    Checkpoint checkpoint;
-    checkpoint.frame = config::integerFrom<std::int64_t>(contents.at("frame"));
-    if (checkpoint.frame < 0) refuseDamaged(file);
-    RunCounters::visit(checkpoint.counters, [&](const char* name, auto& value) {
-      const StateJson& count = contents.at("counters").at(name);
-      if constexpr (std::is_same_v<decltype(value), bool&>) {
-        count.get_to(value);
-      } else {
-        value = config::integerFrom<std::int64_t>(count);
-      }
-    });
-    loadStates(assembly, file, prefixOf(checkpoint.frame), contents);
-    return checkpoint;
-  });
 }
 
 void removeCheckpoint(const fs::path& directory) {
@@ -274,19 +245,6 @@ R recordOf(const std::vector<R>& records, std::int64_t frame, const fs::path& di
       "{}: its checkpoint is of frame {}, which run.sqlite does not have (was the power lost?); "
       "run it again",
       directory.string(), frame));
-}
-
-/// How many templates place recognition can have at most after frame `last`: a call that failed,
-/// and is recorded as None, may have made one.
-std::int64_t mostTemplates(const std::vector<PlaceObservation>& recorded, std::int64_t last) {
-  std::int64_t given = 0;
-  std::int64_t none = 0;
-  for (const PlaceObservation& observation : recorded) {
-    if (observation.frame > last) continue;
-    given = std::max(given, observation.template_id + 1);
-    none += observation.recognition == Recognition::None ? 1 : 0;
-  }
-  return given + none;
 }
 
 /// Whether stamp, source index and truth are the same.
@@ -350,18 +308,20 @@ ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   assembly.odometry().startAt(first_frame);
 
   ResumePoint point;
-  point.checkpoint = loadCheckpoint(assembly, directory);
+  std::error_code ignored;
+  if (!fs::exists(checkpointFile(directory), ignored)) {
+    refuseToContinue(directory.string() +
+                     ": has no checkpoint (it ended before the first one, see record.state_every, "
+                     "or place, cells or map cannot save their state); run it again");
+  }
+  point.checkpoint = load(assembly, checkpointFile(directory));
   const std::int64_t last = point.checkpoint.frame;
   const auto motions = require(reader->records<Motion>(), kKind);
   (void)recordOf(motions, last, directory);  // throws if frames to be repeated are missing
   point.decision = recordOf(require(reader->records<Decision>(), kKind), last, directory);
   point.map = recordOf(require(reader->records<MapUpdate>(), kKind), last, directory);
-  MapGraph graph;
-  require(assembly.map().graph(graph), kKind);
-  const std::int64_t templates =
-      mostTemplates(require(reader->records<PlaceObservation>(), kKind), last);
-  assembly.place().resetChecks(-1, templates);
-  assembly.cells().resetChecks(static_cast<std::int64_t>(graph.experiences.size()), templates);
+  assembly.place().resetChecks(-1);
+  assembly.cells().resetChecks(experiencesOf(assembly));
   const auto frames = require(reader->records<Frame>(), kKind);
   if (const auto scale = require(reader->lastScale(last + 1), kKind)) {
     const bool is_earlier = scale->frame < first_frame;

@@ -12,34 +12,29 @@
 
 namespace tolman::engine {
 
-/// The size of a session when its state is saved.
-struct SessionProgress {
+/// A session whose state was loaded.
+struct SavedSession {
   std::int64_t frames = 0;  ///< of all its sessions
   std::int64_t experiences = 0;
-  std::int64_t templates = -1;  ///< -1: not known
-  bool finished = true;         ///< false: state of a checkpoint; the record may have later frames
+  bool finished = true;  ///< false: state of a checkpoint; the record may have later frames
 };
 
-/// Writes state/STAGE.bin for each of place, cells and map that can save its state, and then
-/// state/session.json, which describes the files. Each file is written atomically. Nothing is
-/// written if no stage can save its state, or if one fails to (`stage_failure`).
-Status saveState(Assembly& assembly, const std::filesystem::path& directory,
-                 const SessionProgress& progress, Status& stage_failure);
+/// Writes state/ROLE.bin for each of place, cells and map that can save its state, and then
+/// state/session.json, which describes them. Each file is written atomically. `state` has frame and
+/// counters. Nothing is written if no stage can save its state, or if one fails to
+/// (`stage_failure`).
+Status saveState(Assembly& assembly, const std::filesystem::path& directory, Checkpoint state,
+                 Status& stage_failure);
 
 /// Loads the state of the run in `directory` into a new assembly: the state at its end, else that
 /// of its last checkpoint. Throws Failure for a damaged file, and for another plugin, version or
 /// parameter than in the earlier run.
-SessionProgress loadState(Assembly& assembly, const std::filesystem::path& directory);
+SavedSession loadState(Assembly& assembly, const std::filesystem::path& directory);
 
-/// Writes state/checkpoint-FRAME-STAGE.bin and then state/checkpoint.json, so that there is a
+/// Writes state/checkpoint-FRAME-ROLE.bin and then state/checkpoint.json, so that there is a
 /// complete checkpoint at any time; then removes the files of the previous one.
 Status saveCheckpoint(Assembly& assembly, const std::filesystem::path& directory,
                       const Checkpoint& checkpoint);
-
-/// Loads the checkpoint of the run in `directory` into a new assembly; `states` of the result is
-/// empty.
-/// Throws Failure, as loadState().
-Checkpoint loadCheckpoint(Assembly& assembly, const std::filesystem::path& directory);
 
 /// Removes the checkpoint of a finished run whose last state is saved.
 void removeCheckpoint(const std::filesystem::path& directory);

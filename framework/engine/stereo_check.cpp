@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -81,26 +80,12 @@ std::vector<Corner> findCorners(const GrayHalf& image) {
   return corners;
 }
 
-using Patch = std::array<std::uint8_t, kPatchArea>;
-
-/// The patch around a corner, brighter by `offset`.
-Patch patchAt(const GrayHalf& image, const Corner& corner, int offset) {
-  Patch patch{};
-  for (int i = 0; i < kPatchArea; ++i) {
-    const int x = corner.x - kPatchWidth / 2 + i % kPatchWidth;
-    const int y = corner.y - kRadius + i / kPatchWidth;
-    patch[static_cast<std::size_t>(i)] =
-        static_cast<std::uint8_t>(std::clamp(image.row(y)[x] + offset, 0, 255));
-  }
-  return patch;
-}
-
-/// Sum of absolute differences. The compiler uses one instruction per row.
-int difference(const Patch& patch, const GrayHalf& image, int x, int y) {
+/// Sum of absolute differences of two patches. The compiler uses one instruction per row.
+int difference(const GrayHalf& left, const Corner& corner, const GrayHalf& right, int x, int y) {
   int sum = 0;
-  const std::uint8_t* a = patch.data();
-  for (int r = -kRadius; r <= kRadius; ++r, a += kPatchWidth) {
-    const std::uint8_t* b = image.row(y + r) + x - kPatchWidth / 2;
+  for (int r = -kRadius; r <= kRadius; ++r) {
+    const std::uint8_t* a = left.row(corner.y + r) + corner.x - kPatchWidth / 2;
+    const std::uint8_t* b = right.row(y + r) + x - kPatchWidth / 2;
     for (int c = 0; c < kPatchWidth; ++c) sum += std::abs(b[c] - a[c]);
   }
   return sum;
@@ -111,18 +96,22 @@ int meanOf(const GrayHalf& image) {
   return static_cast<int>(sum / static_cast<std::int64_t>(image.pixels.size()));
 }
 
+/// The image as bright as `other`.
+GrayHalf asBright(GrayHalf image, const GrayHalf& other) {
+  const int brighter = meanOf(other) - meanOf(image);
+  for (std::uint8_t& pixel : image.pixels) {
+    pixel = static_cast<std::uint8_t>(std::clamp(pixel + brighter, 0, 255));
+  }
+  return image;
+}
+
 struct RowMatch {
   double down = 0;     ///< rows, in pixels of the half images
   double to_left = 0;  ///< disparity, likewise
 };
 
-/// Where a parabola through three differences has its minimum, relative to the middle.
-double vertex(double before, double middle, double after) {
-  const double curvature = before - 2 * middle + after;
-  return curvature > 0 ? std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5) : 0;
-}
-
-std::optional<RowMatch> findMatch(const Patch& patch, const Corner& corner, const GrayHalf& right) {
+std::optional<RowMatch> findMatch(const GrayHalf& left, const Corner& corner,
+                                  const GrayHalf& right) {
   const int begin = std::max(corner.x - kFarLeft, kPatchWidth / 2);
   const int end = std::min(corner.x + kFarRight, right.width - kPatchWidth / 2);
   const int width = end - begin + 1;
@@ -134,7 +123,7 @@ std::optional<RowMatch> findMatch(const Patch& patch, const Corner& corner, cons
   int best_down = -kRows;
   for (int down = -kRows; down <= kRows; ++down) {
     for (int x = begin; x <= end; ++x) {
-      cost(x, down) = difference(patch, right, x, corner.y + down);
+      cost(x, down) = difference(left, corner, right, x, corner.y + down);
       if (cost(x, down) < cost(best_x, best_down)) best_x = x, best_down = down;
     }
   }
@@ -147,7 +136,11 @@ std::optional<RowMatch> findMatch(const Patch& patch, const Corner& corner, cons
       if (best > kDistinct * cost(x, down)) return std::nullopt;
     }
   }
-  const double rest = vertex(cost(best_x, best_down - 1), best, cost(best_x, best_down + 1));
+  // The minimum of a parabola through three differences.
+  const double above = cost(best_x, best_down - 1);
+  const double below = cost(best_x, best_down + 1);
+  const double curvature = above - 2 * best + below;
+  const double rest = curvature > 0 ? std::clamp(0.5 * (above - below) / curvature, -0.5, 0.5) : 0;
   return RowMatch{best_down + rest, static_cast<double>(corner.x - best_x)};
 }
 
@@ -182,11 +175,11 @@ StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
   const std::vector<Corner> corners = findCorners(left);
   if (corners.empty()) return measure;
   measure.corners = static_cast<int>(corners.size());
-  const int brighter = meanOf(right) - meanOf(left);
+  const GrayHalf bright = asBright(left, right);
   std::vector<double> down;
   int exchanged = 0;
   for (const Corner& corner : corners) {
-    const auto match = findMatch(patchAt(left, corner, brighter), corner, right);
+    const auto match = findMatch(bright, corner, right);
     if (!match) continue;
     down.push_back(2 * match->down);
     exchanged += match->to_left < -1 ? 1 : 0;
@@ -224,8 +217,7 @@ std::string faultText(StereoFault fault, const StereoMeasure& measure) {
           std::fabs(measure.rows_low), measure.rows_low > 0 ? "low" : "high");
     case StereoFault::Exchanged:
       return "left and right image are exchanged; exchange the two folders, topics or cameras of "
-             "the "
-             "calibration";
+             "the calibration";
     case StereoFault::OtherTime:
       return fmt::format(
           "the rows of left and right image do not belong together (differences of {:.1f} px); are "

@@ -195,19 +195,18 @@ Status checkMotion(const Motion& motion, bool is_first) {
   return checkCovariance(motion.covariance, "covariance");
 }
 
-Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates,
-                       std::int64_t most) {
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates) {
   const std::int64_t id = observation.template_id;
   switch (observation.recognition) {
     case Recognition::None:
       if (id == -1) break;
       return failed("answered None with template {}; None has template_id -1", id);
     case Recognition::Novel:
-      if (id == templates || (templates < 0 && id >= 0 && id <= most)) break;
-      return failed("made template {}; ids are 0, 1, 2, ... without gaps, the next one is {}{}", id,
-                    templates < 0 ? "at most " : "", templates < 0 ? most : templates);
+      if (id == templates || (templates < 0 && id >= 0)) break;
+      return failed("made template {}; ids are 0, 1, 2, ... without gaps, the next one is {}", id,
+                    std::max<std::int64_t>(templates, 0));
     case Recognition::Familiar:
-      if (id >= 0 && id < (templates < 0 ? most : templates)) break;
+      if (id >= 0 && (templates < 0 || id < templates)) break;
       return failed("recognised template {}, which was never made", id);
   }
   return Status::ok();

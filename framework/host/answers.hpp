@@ -24,9 +24,8 @@ Status checkRevisions(const std::vector<MotionRevision>& revisions, std::int64_t
 Status checkMotion(const Motion& motion, bool is_first);
 
 /// Requires the next template id for a novel view, and an existing one for a familiar view.
-/// `templates`: number so far, -1 if not known; then there are at most `most`.
-Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates,
-                       std::int64_t most = INT64_MAX);
+/// `templates`: number so far, -1 if not known.
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates);
 
 /// Checks the covariance of an observation with a relative pose.
 Status checkPlace(const PlaceObservation& observation);

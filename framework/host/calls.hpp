@@ -3,19 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
 
-#include "base/codec.hpp"
-#include "host/channel.hpp"
 #include "host/manifest.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::host {
 
-/// Calls from the host. Each call gets one reply.
+/// Messages from the host. Each call gets one reply.
 enum class Call : std::uint32_t {
   Load = 1,
   Create,
@@ -45,17 +42,18 @@ enum class Call : std::uint32_t {
   Describe,
   Url,
   RawRig,
+  Cancel,  ///< at any time, without a reply
 };
 
 /// Messages from the process.
 enum class ReplyKind : std::uint32_t {
-  Reply = 1,  ///< to a call: status and results in the shared buffer
+  Reply = 1,  ///< to a call: status and results
   Log,        ///< one log line; at any time
   Finding,    ///< one finding; at any time
 };
 
 // The values of a context that are sent to the process of a plugin, whose services (log, findings,
-// artefacts, cancellation) are created in that process; and findings that it sends back.
+// artefacts, cancellation) are created in that process.
 
 struct ContextMessage {
   ParameterValues parameters;
@@ -67,32 +65,6 @@ struct ContextMessage {
     return {context.parameters, context.rig, context.seed, context.instance};
   }
 };
-
-/// A finding as the text of a message, and back; std::nullopt for another text.
-inline std::string textOf(const Finding& finding) {
-  std::string text{static_cast<char>(finding.severity), static_cast<char>(finding.kind)};
-  for (const std::string* part : {&finding.where, &finding.message, &finding.remedy}) {
-    text += part->substr(0, kMaxText / 4) + '\0';
-  }
-  return text;
-}
-inline std::optional<Finding> findingOf(const std::string& text) {
-  Finding finding;
-  if (text.size() < 2) return std::nullopt;
-  finding.severity = static_cast<Finding::Severity>(text[0]);
-  finding.kind = static_cast<Finding::Kind>(text[1]);
-  if (finding.severity > Finding::Severity::Error || finding.kind > Finding::Kind::Contradiction) {
-    return std::nullopt;
-  }
-  std::size_t begin = 2;
-  for (std::string* part : {&finding.where, &finding.message, &finding.remedy}) {
-    const std::size_t end = text.find('\0', begin);
-    if (end == std::string::npos) return std::nullopt;
-    *part = text.substr(begin, end - begin);
-    begin = end + 1;
-  }
-  return finding;
-}
 
 /// Which plugin a process opens, and its limits.
 struct LoadMessage {

@@ -62,29 +62,23 @@ Catalogue::Catalogue(std::vector<fs::path> search_path) : search_path_(std::move
 }
 
 void Catalogue::addLibrary(const fs::path& file) {
-  auto read = readManifests(file);
-  if (auto* refusal = std::get_if<Refusal>(&read)) {
-    broken_.push_back({file, *refusal});
-    return;
-  }
-  for (Manifest& manifest : std::get<std::vector<Manifest>>(read)) {
-    (manifest.programs.empty() ? manifests_ : interpreters_).push_back(std::move(manifest));
+  try {
+    for (Manifest& manifest : readManifests(file)) {
+      (manifest.programs.empty() ? manifests_ : interpreters_).push_back(std::move(manifest));
+    }
+  } catch (const Refusal& refusal) {
+    broken_.push_back({file, refusal});
   }
 }
 
-OrRefusal<Manifest> Catalogue::find(const std::string& id, Role role) const {
-  if (fs::path(id).has_extension()) return notFound(id, role);  // the file of a program, not an id
-  auto found = find(id);
-  auto* manifest = std::get_if<Manifest>(&found);
-  if (manifest == nullptr) {
-    const bool is_there = std::get<Refusal>(found).id == "plugin/ambiguous";
-    return is_there ? found : notFound(id, role);
-  }
-  if (manifest->role == role) return found;
-  return Refusal{"plugin/wrong-role",
-                 "plugin '" + id + "' (" + manifest->file.string() + ") has the role " +
-                     std::string(enumName(manifest->role)) + ", not " + std::string(enumName(role)),
-                 "`tolman plugins list` shows the plugins of each role"};
+Manifest Catalogue::find(const std::string& id, Role role) const {
+  if (fs::path(id).has_extension()) throw notFound(id, role);  // the file of a program, not an id
+  Manifest manifest = findLibrary(id, role);
+  if (manifest.role == role) return manifest;
+  throw Refusal{"plugin/wrong-role",
+                "plugin '" + id + "' (" + manifest.file.string() + ") has the role " +
+                    std::string(enumName(manifest.role)) + ", not " + std::string(enumName(role)),
+                "`tolman plugins list` shows the plugins of each role"};
 }
 
 const Manifest* Catalogue::interpreter(const std::string& id) const {
@@ -92,36 +86,41 @@ const Manifest* Catalogue::interpreter(const std::string& id) const {
   return found == interpreters_.end() ? nullptr : &*found;
 }
 
-OrRefusal<Manifest> Catalogue::program(const fs::path& file) const {
+Manifest Catalogue::program(const fs::path& file) const {
   const std::string suffix = file.extension().string();
   const auto found = std::ranges::find(interpreters_, suffix, &Manifest::programs);
   if (found == interpreters_.end()) {
-    return Refusal{"plugin/not-found",
-                   file.string() + ": no plugin on the search path runs '" + suffix + "' files",
-                   "`tolman plugins list` shows what is there; the plugin may be in a package of "
-                   "its own, or have been left out of the build for want of a library"};
+    throw Refusal{"plugin/not-found",
+                  file.string() + ": no plugin on the search path runs '" + suffix + "' files",
+                  "`tolman plugins list` shows what is there; the plugin may be in a package of "
+                  "its own, or have been left out of the build for want of a library"};
   }
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
-    return Refusal{"plugin/not-found", file.string() + ": there is no such file",
-                   "correct the path; it is relative to the configuration that says it"};
+    throw Refusal{"plugin/not-found", file.string() + ": there is no such file",
+                  "correct the path; it is relative to the configuration that says it"};
   }
   Manifest manifest = *found;
   manifest.program = fs::absolute(file);
   return manifest;
 }
 
-OrRefusal<Manifest> Catalogue::find(const std::string& id) const {
+Manifest Catalogue::find(const std::string& id) const {
   if (const fs::path file = id; file.has_extension()) return program(file);
+  return findLibrary(id, std::nullopt);
+}
+
+/// `role` is for the message where there is none.
+Manifest Catalogue::findLibrary(const std::string& id, std::optional<Role> role) const {
   const auto is_wanted = [&](const Manifest& manifest) { return manifest.id == id; };
   const auto first = std::find_if(manifests_.begin(), manifests_.end(), is_wanted);
-  if (first == manifests_.end()) return notFound(id, std::nullopt);
+  if (first == manifests_.end()) throw notFound(id, role);
   const auto second = std::find_if(first + 1, manifests_.end(), is_wanted);
   if (second != manifests_.end() && second->file.parent_path() == first->file.parent_path()) {
-    return Refusal{"plugin/ambiguous",
-                   "plugin '" + id + "' is in both " + first->file.string() + " and " +
-                       second->file.filename().string(),
-                   "remove one of the two files, or give the wanted one with --plugin-path FILE"};
+    throw Refusal{"plugin/ambiguous",
+                  "plugin '" + id + "' is in both " + first->file.string() + " and " +
+                      second->file.filename().string(),
+                  "remove one of the two files, or give the wanted one with --plugin-path FILE"};
   }
   return *first;
 }

@@ -31,16 +31,16 @@ class Catalogue {
 
   /// The manifest of `id` in `role`. Refusals: plugin/not-found (with the nearest known name and
   /// the folders searched), plugin/wrong-role, plugin/ambiguous (twice in one folder).
-  OrRefusal<Manifest> find(const std::string& id, Role role) const;
+  Manifest find(const std::string& id, Role role) const;
 
   /// The manifest of `id` in any role. `id` may be the file of a program.
-  OrRefusal<Manifest> find(const std::string& id) const;
+  Manifest find(const std::string& id) const;
 
   /// The interpreter with this id; null for other or unknown plugins.
   const Manifest* interpreter(const std::string& id) const;
   /// A program as a plugin, by the interpreter that runs files of its suffix. Refusals:
   /// plugin/not-found.
-  OrRefusal<Manifest> program(const std::filesystem::path& file) const;
+  Manifest program(const std::filesystem::path& file) const;
 
   /// The manifests of all plugins that are libraries.
   const std::vector<Manifest>& manifests() const { return manifests_; }
@@ -49,6 +49,7 @@ class Catalogue {
 
  private:
   void addLibrary(const std::filesystem::path& file);
+  Manifest findLibrary(const std::string& id, std::optional<Role> role) const;
   Refusal notFound(const std::string& id, std::optional<Role> role) const;
 
   std::vector<std::filesystem::path> search_path_;

@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The connection between the host and the process of one plugin: a sequenced-packet socket for
-// short messages (a call, a reply, a log line), and one shared buffer in each direction for the
-// data of a call. When one process ends, receive() of the other returns Closed at once.
+// The connection between the host and the process of one plugin: messages over a stream socket.
+// When one process ends, receive() of the other returns Closed at once.
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
-#include "base/codec.hpp"
-
 namespace tolman::host {
-
-/// Memory shared by two processes. It can grow but not shrink (sealed by F_SEAL_SHRINK): otherwise
-/// the writer could truncate it, and reading would crash the reader.
-class SharedBuffer : public ByteBuffer {
- public:
-  /// Creates an empty buffer. Throws std::system_error.
-  explicit SharedBuffer(const std::string& name);
-  /// Takes ownership of an inherited descriptor.
-  explicit SharedBuffer(int descriptor) : descriptor_(descriptor) {}
-  ~SharedBuffer() override;
-  SharedBuffer(const SharedBuffer&) = delete;
-  SharedBuffer& operator=(const SharedBuffer&) = delete;
-
-  int descriptor() const { return descriptor_; }
-  /// For the writer.
-  std::byte* reserve(std::size_t size) override;
-  /// For the reader: the first `size` bytes; throws std::runtime_error when there are fewer.
-  const std::byte* view(std::size_t size);
-
- private:
-  void map(std::size_t size);
-  int descriptor_;
-  std::byte* memory_ = nullptr;
-  std::size_t mapped_ = 0;
-};
 
 /// Owns a file descriptor.
 class Descriptor {
@@ -59,17 +31,11 @@ class Descriptor {
   int value_;
 };
 
-/// The data of a message are the first `size` bytes of the sender's shared buffer.
-struct MessageHead {
+struct SocketMessage {
   std::uint32_t kind = 0;
   std::uint32_t detail = 0;  ///< number of the call (request, reply); level of a log line
-  std::uint64_t size = 0;
+  std::string bytes;         ///< encoded values (base/codec.hpp), or the text of a log line
 };
-
-struct SocketMessage : MessageHead {
-  std::string text;  ///< cut off after kMaxText bytes
-};
-inline constexpr std::size_t kMaxText = 8192;  // bytes
 
 enum class ReceiveResult : std::uint8_t { Message, Timeout, Closed };
 
@@ -84,17 +50,14 @@ class Socket {
 
   /// May be called from any thread. False when the other end is closed.
   bool send(const SocketMessage& message) const;
-  /// Waits at most `timeout`; without limit if it is negative.
-  ReceiveResult receive(SocketMessage& message, std::chrono::milliseconds timeout) const;
+  /// Waits at most `timeout` for the begin of a message; without limit if it is negative. Throws
+  /// std::domain_error for a message of more than `most` bytes.
+  ReceiveResult receive(SocketMessage& message, std::chrono::milliseconds timeout,
+                        std::uint64_t most = UINT64_MAX) const;
 
  private:
   Descriptor descriptor_;
+  std::unique_ptr<std::mutex> sending_ = std::make_unique<std::mutex>();
 };
-
-/// Shared memory for values that change during a call.
-struct ControlBlock {
-  std::atomic<std::uint32_t> cancelled;
-};
-static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
 }  // namespace tolman::host

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <exception>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,12 +30,6 @@ inline std::string prefix(const CallSite& site) {
   if (site.frame >= 0) text += ", frame " + std::to_string(site.frame);
   return text + ": ";
 }
-
-/// Thrown by a method that cannot return the failure of an inner call. Its text is the complete
-/// message.
-struct FailedCall : std::runtime_error {
-  explicit FailedCall(const Status& status) : std::runtime_error(status.message()) {}
-};
 
 /// A failure with this text. If memory is short, the text is "out of memory", which std::string
 /// stores without an allocation.
@@ -67,12 +60,12 @@ Status contained(Work&& work) noexcept {
   try {
     const KeptState kept;
     return std::forward<Work>(work)();
-  } catch (const FailedCall& failed) {
-    return thrown("", failed.what());
   } catch (const std::bad_alloc&) {
     return thrown("threw: std::bad_alloc", " (out of memory: `ulimit -v`, or that of the machine)");
   } catch (const std::exception& error) {
-    return thrown("threw: ", error.what());
+    // An isolated plugin's exception comes with its text already.
+    return thrown(std::string_view(error.what()).starts_with("threw") ? "" : "threw: ",
+                  error.what());
   } catch (...) {
     return thrown("threw something that is not a std::exception", "");
   }

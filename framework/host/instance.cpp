@@ -9,23 +9,23 @@
 
 namespace tolman::host {
 
-Refusal nullInstance(const Manifest& manifest) {
-  return {"plugin/null-instance", "plugin '" + manifest.id + "' created no object",
-          "let TOLMAN_PLUGIN write the factory"};
+void requireObject(const PluginObject& object, const Manifest& manifest) {
+  if (object.plugin != nullptr) return;
+  throw Refusal{"plugin/null-instance", "plugin '" + manifest.id + "' created no object",
+                "let TOLMAN_PLUGIN write the factory"};
 }
 
-OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin,
-                                                      std::string name) {
+std::unique_ptr<Instance> Instance::create(const LoadedPlugin& plugin, std::string name) {
   PluginObject object;
   const Status status = guarded({name, plugin.manifest.id, "construct", -1}, [&] {
     object = plugin.descriptor->create();
     return Status::ok();
   });
   if (!status.isOk()) {
-    return Refusal{"plugin/create-failed", status.message(),
-                   "a constructor must be cheap and must not throw: move work to configure()"};
+    throw Refusal{"plugin/create-failed", status.message(),
+                  "a constructor must be cheap and must not throw: move work to configure()"};
   }
-  if (object.plugin == nullptr) return nullInstance(plugin.manifest);
+  requireObject(object, plugin.manifest);
   return std::make_unique<Instance>(plugin.manifest, std::move(name), object,
                                     [descriptor = plugin.descriptor](Plugin* constructed) {
                                       descriptor->destroy(constructed);

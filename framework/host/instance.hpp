@@ -31,8 +31,8 @@ class StageArtefacts : public ArtefactWriter {
 
 // One plugin object behind the guard.
 
-/// The refusal plugin/null-instance.
-Refusal nullInstance(const Manifest& manifest);
+/// Throws the refusal plugin/null-instance if the factory of the plugin made no object.
+void requireObject(const PluginObject& object, const Manifest& manifest);
 
 /// Saves to the stream. Fails also if the plugin answers Ok but the stream has failed.
 Status saveTo(std::ostream& stream, const StateKeeper& state);
@@ -41,7 +41,7 @@ class Instance {
  public:
   /// Constructs the plugin's object. `name` is the stage in the configuration. Refusals:
   /// plugin/create-failed, plugin/null-instance.
-  static OrRefusal<std::unique_ptr<Instance>> create(const LoadedPlugin& plugin, std::string name);
+  static std::unique_ptr<Instance> create(const LoadedPlugin& plugin, std::string name);
 
   /// Destroys an object; an exception becomes the status.
   using Destroy = std::function<Status(Plugin*)>;

@@ -101,7 +101,7 @@ bool isWithin(const ParameterInfo& info) {
 
 }  // namespace
 
-std::optional<Refusal> checkSchema(const Manifest& manifest, const Schema& schema) {
+void checkSchema(const Manifest& manifest, const Schema& schema) {
   Schema reserved = schemaOf<config::StageSettings>();  // keys that the host reads
   if (!manifest.programs.empty())
     std::ranges::copy(config::programSchema(), std::back_inserter(reserved));
@@ -109,22 +109,20 @@ std::optional<Refusal> checkSchema(const Manifest& manifest, const Schema& schem
   for (const ParameterInfo& info : schema) {
     const auto refuse = [&](const char* what, const char* remedy) {
       const auto& file = manifest.program.empty() ? manifest.file : manifest.program;
-      return Refusal{
+      throw Refusal{
           "plugin/bad-schema",
           file.string() + ": parameter '" + info.name + "' of '" + manifest.id + "' " + what,
           remedy};
     };
-    if (!seen.insert(info.name).second)
-      return refuse("is declared twice", "remove one declaration");
+    if (!seen.insert(info.name).second) refuse("is declared twice", "remove one declaration");
     if (std::ranges::find(reserved, info.name, &ParameterInfo::name) != reserved.end()) {
-      return refuse("has a name that is reserved for the host", "rename it");
+      refuse("has a name that is reserved for the host", "rename it");
     }
-    if (!(info.min <= info.max)) return refuse("has an empty range", "swap the ends of .range()");
+    if (!(info.min <= info.max)) refuse("has an empty range", "swap the ends of .range()");
     if (!info.required && !isWithin(info)) {
-      return refuse("has a default outside of its range", "correct the default or the range");
+      refuse("has a default outside of its range", "correct the default or the range");
     }
   }
-  return std::nullopt;
 }
 
 namespace {
@@ -235,11 +233,10 @@ using Entry = const PluginDescriptor*();
 /// The remedy for a message of the dynamic linker.
 std::string remedyFor(std::string_view message) {
   const auto says = [&](const char* part) { return message.find(part) != std::string_view::npos; };
-  if (says("failed to map")) {
-    return "the file system may forbid to execute code (mount option noexec): copy the plugin to "
-           "another folder; or memory is short, see `ulimit -a`";
+  if (says("failed to map") || says("annot allocate") || says("Too many open files")) {
+    return "memory or open files are short (see `ulimit -a`), or the file system is mounted with "
+           "noexec: then copy the plugin to another folder";
   }
-  if (says("annot allocate") || says("Too many open files")) return kLimitsTooLow;
   if (says("undefined symbol")) {
     return "link the plugin with -Wl,-z,defs (tolman_add_plugin() does) to find missing symbols at "
            "build time";
@@ -247,7 +244,7 @@ std::string remedyFor(std::string_view message) {
   return "`ldd` shows missing libraries; a damaged file must be built or copied again";
 }
 
-OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
+boost::dll::shared_library openPinned(const Manifest& manifest) {
   namespace dll = boost::dll;
   const std::string file = manifest.file.string();
   try {
@@ -258,7 +255,7 @@ OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
     }
     throw std::runtime_error("it cannot be kept in memory");
   } catch (const std::exception& error) {
-    return Refusal{"plugin/load-failed", file + ": " + error.what(), remedyFor(error.what())};
+    throw Refusal{"plugin/load-failed", file + ": " + error.what(), remedyFor(error.what())};
   }
 }
 
@@ -269,10 +266,10 @@ Refusal noEntry(const Manifest& manifest, const std::string& symbol) {
           "register the class with TOLMAN_PLUGIN, and keep the symbol visible"};
 }
 
-OrRefusal<const PluginDescriptor*> callEntry(const boost::dll::shared_library& library,
-                                             const Manifest& manifest) {
+const PluginDescriptor* callEntry(const boost::dll::shared_library& library,
+                                  const Manifest& manifest) {
   const std::string symbol = "tolman_plugin_" + manifest.id;
-  if (!library.has(symbol)) return noEntry(manifest, symbol);
+  if (!library.has(symbol)) throw noEntry(manifest, symbol);
   try {
     const PluginDescriptor* descriptor = library.get<Entry>(symbol)();
     if (descriptor != nullptr && descriptor->schema != nullptr && descriptor->create != nullptr &&
@@ -281,71 +278,69 @@ OrRefusal<const PluginDescriptor*> callEntry(const boost::dll::shared_library& l
     }
   } catch (...) {  // refused below
   }
-  return Refusal{"plugin/entry-failed", manifest.file.string() + ": " + symbol + "() failed",
-                 "let TOLMAN_PLUGIN write the entry function"};
+  throw Refusal{"plugin/entry-failed", manifest.file.string() + ": " + symbol + "() failed",
+                "let TOLMAN_PLUGIN write the entry function"};
 }
 
-OrRefusal<LoadedPlugin> describe(const Manifest& manifest, const PluginDescriptor& descriptor) {
+LoadedPlugin describe(const Manifest& manifest, const PluginDescriptor& descriptor) {
   if (descriptor.id != manifest.id || descriptor.role != manifest.role ||
       descriptor.schema_hash != manifest.schema_hash) {
-    return Refusal{
+    throw Refusal{
         "plugin/stale-manifest",
         manifest.file.string() + ": the manifest differs from the code of '" + manifest.id + "'",
         "the library was assembled from two builds: build it again from clean"};
   }
-  try {
-    LoadedPlugin plugin{manifest, &descriptor, descriptor.schema()};
-    plugin.manifest.program_files = ownLibraries(manifest.file);
-    if (auto refusal = checkSchema(manifest, plugin.schema)) return *refusal;
-    return plugin;
-  } catch (const std::exception& error) {
-    return Refusal{"plugin/entry-failed",
-                   manifest.file.string() + ": the parameters of '" + manifest.id +
-                       "' cannot be listed: " + error.what(),
-                   "the constructor of its Parameters must not throw"};
+  LoadedPlugin plugin{manifest, &descriptor, {}};
+  const Status status = contained([&] {
+    plugin.schema = descriptor.schema();
+    return Status::ok();
+  });
+  if (!status.isOk()) {
+    throw Refusal{"plugin/entry-failed",
+                  manifest.file.string() + ": the parameters of '" + manifest.id +
+                      "' cannot be listed: " + status.message(),
+                  "the constructor of its Parameters must not throw"};
   }
+  checkSchema(manifest, plugin.schema);
+  plugin.manifest.program_files = ownLibraries(manifest.file);
+  return plugin;
 }
 
 /// Opens the program of an interpreter.
-OrRefusal<LoadedPlugin> openProgram(const boost::dll::shared_library& library,
-                                    const Manifest& manifest) {
+LoadedPlugin openProgram(const boost::dll::shared_library& library, const Manifest& manifest) {
   const std::string symbol = "tolman_program_" + manifest.id;
-  if (!library.has(symbol)) return noEntry(manifest, symbol);
+  if (!library.has(symbol)) throw noEntry(manifest, symbol);
   Program program;
   const Status status = contained(
       [&] { return library.get<OpenProgram()>(symbol)()(manifest.program.string(), program); });
   if (!status.isOk() || program.descriptor == nullptr) {
-    return Refusal{"plugin/program", manifest.program.string() + ": " + status.message(),
-                   "correct the program; `tolman plugins doctor FILE` opens it alone"};
+    throw Refusal{"plugin/program", manifest.program.string() + ": " + status.message(),
+                  "correct the program; `tolman plugins doctor FILE` opens it alone"};
   }
   LoadedPlugin plugin{manifest, program.descriptor, std::move(program.schema)};
   plugin.manifest.role = program.descriptor->role;
   plugin.manifest.version = program.version;
   plugin.manifest.summary = program.summary;
   plugin.manifest.program_files = std::move(program.files);
-  if (auto refusal = checkSchema(plugin.manifest, plugin.schema)) return *refusal;
+  checkSchema(plugin.manifest, plugin.schema);
   return plugin;
 }
 
 }  // namespace
 
-OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host) {
-  if (auto refusal = checkGate(manifest, host)) return *refusal;
+LoadedPlugin loadPlugin(const Manifest& manifest, const HostIdentity& host) {
+  if (const auto refusal = checkGate(manifest, host)) throw *refusal;
   const KeptState kept;  // constructors of the library run now
-  auto opened = openPinned(manifest);
-  if (auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
-  const auto& library = std::get<boost::dll::shared_library>(opened);
+  const auto library = openPinned(manifest);
   if (const std::string stranger = closureOf(manifest.file).stranger; !stranger.empty()) {
-    return Refusal{"plugin/library-conflict",
-                   subject(manifest) + " is linked with " + stranger +
-                       " is open already, which the linker takes instead",
-                   "give one of the two libraries another name, or set isolation: process for one "
-                   "of the stages"};
+    throw Refusal{"plugin/library-conflict",
+                  subject(manifest) + " is linked with " + stranger +
+                      " is open already, which the linker takes instead",
+                  "give one of the two libraries another name, or set isolation: process for one "
+                  "of the stages"};
   }
   if (!manifest.programs.empty()) return openProgram(library, manifest);
-  auto entry = callEntry(library, manifest);
-  if (auto* refusal = std::get_if<Refusal>(&entry)) return *refusal;
-  return describe(manifest, *std::get<const PluginDescriptor*>(entry));
+  return describe(manifest, *callEntry(library, manifest));
 }
 
 }  // namespace tolman::host

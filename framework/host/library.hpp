@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/manifest.hpp"
@@ -31,16 +30,12 @@ std::optional<Refusal> checkGate(const Manifest& manifest, const HostIdentity& h
 
 /// Refuses (plugin/bad-schema) names that are declared twice or are the host's, ranges without a
 /// value, and defaults that are outside of their range or choices.
-std::optional<Refusal> checkSchema(const Manifest& manifest, const Schema& schema);
+void checkSchema(const Manifest& manifest, const Schema& schema);
 
 /// Files of the libraries that `library`, which must be open in this process, is linked with,
 /// directly or by one of them, sorted. Those in the folders of the system are left out, because
 /// packages own them. Libraries that a plugin opens itself by dlopen() are not known.
 std::vector<std::string> ownLibraries(const std::filesystem::path& library);
-
-/// The remedy of a refusal for lack of memory or of open files.
-inline constexpr const char* kLimitsTooLow =
-    "the limits of this process are too low for it: see `ulimit -a`";
 
 /// A plugin whose library is open.
 struct LoadedPlugin {
@@ -56,6 +51,6 @@ struct LoadedPlugin {
 /// with would be another of that name, which is open already), plugin/entry-missing,
 /// plugin/entry-failed, plugin/stale-manifest. The manifest of a program gets its role, version and
 /// summary; plugin/program if it cannot be opened.
-OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host);
+LoadedPlugin loadPlugin(const Manifest& manifest, const HostIdentity& host);
 
 }  // namespace tolman::host

@@ -64,45 +64,46 @@ bool isForThisMachine(const Elf64_Ehdr& header) {
 
 }  // namespace
 
-OrRefusal<std::string> readElfSection(const std::filesystem::path& file, std::string_view name) {
+std::string readElfSection(const std::filesystem::path& file, std::string_view name) {
   BoundedFile elf(file);
   const std::string path = file.string();
   const Refusal truncated{"plugin/truncated", path + " is shorter than its section table requires",
                           "the file is damaged: build or copy it again"};
   if (!elf.readable()) {
-    return Refusal{"plugin/unreadable", path + " cannot be read",
-                   file_opening::areDescriptorsShort(1)
-                       ? "allow more open files (`ulimit -n`)"
-                       : "check that the file exists, and its permissions"};
+    throw Refusal{"plugin/unreadable", path + " cannot be read",
+                  file_opening::areDescriptorsShort(1)
+                      ? "allow more open files (`ulimit -n`)"
+                      : "check that the file exists, and its permissions"};
   }
   const auto magic = elf.read(0, SELFMAG);
   if (!magic || *magic != std::string_view(ELFMAG, SELFMAG)) {
-    return Refusal{"plugin/not-elf", path + " is not an ELF file",
-                   "name a shared library that was built with tolman_add_plugin()"};
+    throw Refusal{"plugin/not-elf", path + " is not an ELF file",
+                  "name a shared library that was built with tolman_add_plugin()"};
   }
   const auto header = elf.object<Elf64_Ehdr>(0);
-  if (!header) return truncated;
+  if (!header) throw truncated;
   if (!isForThisMachine(*header)) {
-    return Refusal{"plugin/wrong-machine", path + " is not an x86-64 shared library",
-                   "build it for this machine, as a shared library, with tolman_add_plugin()"};
+    throw Refusal{"plugin/wrong-machine", path + " is not an x86-64 shared library",
+                  "build it for this machine, as a shared library, with tolman_add_plugin()"};
   }
   const auto sectionAt = [&](std::uint64_t i) {
     return elf.object<Elf64_Shdr>(header->e_shoff + i * sizeof(Elf64_Shdr));
   };
   const auto names_section = sectionAt(header->e_shstrndx);
-  if (!names_section) return truncated;
+  if (!names_section) throw truncated;
   const auto names = elf.read(names_section->sh_offset, names_section->sh_size);
-  if (!names) return truncated;
+  if (!names) throw truncated;
   for (std::uint64_t i = 0; i < header->e_shnum; ++i) {
     const auto section = sectionAt(i);
-    if (!section) return truncated;
+    if (!section) throw truncated;
     if (section->sh_name >= names->size()) continue;
     if (std::string_view(names->c_str() + section->sh_name) != name) continue;
     const auto bytes = elf.read(section->sh_offset, section->sh_size);
-    return bytes ? OrRefusal<std::string>(*bytes) : OrRefusal<std::string>(truncated);
+    if (!bytes) throw truncated;
+    return *bytes;
   }
-  return Refusal{"plugin/no-manifest", path + " has no section " + std::string(name),
-                 "register the class with TOLMAN_PLUGIN in plugin.cpp, and do not strip sections"};
+  throw Refusal{"plugin/no-manifest", path + " has no section " + std::string(name),
+                "register the class with TOLMAN_PLUGIN in plugin.cpp, and do not strip sections"};
 }
 
 namespace {
@@ -159,46 +160,39 @@ Manifest fromJson(const nlohmann::json& json, const std::filesystem::path& file)
 
 }  // namespace
 
-OrRefusal<Manifest> parseManifest(const std::string& text, const std::filesystem::path& file) {
+Manifest parseManifest(const std::string& text, const std::filesystem::path& file) {
   try {
     return fromJson(nlohmann::json::parse(text), file);
   } catch (const std::exception& error) {
-    return Refusal{"plugin/bad-manifest",
-                   file.string() + ": the manifest is not valid: " + error.what(),
-                   "let TOLMAN_PLUGIN write the manifest; do not write it by hand"};
+    throw Refusal{"plugin/bad-manifest",
+                  file.string() + ": the manifest is not valid: " + error.what(),
+                  "let TOLMAN_PLUGIN write the manifest; do not write it by hand"};
   }
 }
 
-OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file) {
-  auto section = readElfSection(file, "tolman_manifest");
-  if (auto* refusal = std::get_if<Refusal>(&section)) return *refusal;
-  const std::string& bytes = std::get<std::string>(section);
-
+std::vector<Manifest> readManifests(const std::filesystem::path& file) {
+  const std::string bytes = readElfSection(file, "tolman_manifest");
   std::vector<Manifest> manifests;
   for (std::size_t begin = 0; begin < bytes.size();) {  // texts are separated by zeros
     const std::string text = bytes.c_str() + begin;
     begin += text.size() + 1;
     if (text.empty()) continue;
     // Absolute: a bare file name would make the dynamic linker search its own path.
-    auto manifest = parseManifest(text, std::filesystem::absolute(file));
-    if (auto* refusal = std::get_if<Refusal>(&manifest)) return *refusal;
-    manifests.push_back(std::get<Manifest>(manifest));
+    manifests.push_back(parseManifest(text, std::filesystem::absolute(file)));
   }
   if (manifests.empty()) {
-    return Refusal{"plugin/no-manifest", file.string() + ": the manifest section is empty",
-                   "register the class with TOLMAN_PLUGIN in plugin.cpp"};
+    throw Refusal{"plugin/no-manifest", file.string() + ": the manifest section is empty",
+                  "register the class with TOLMAN_PLUGIN in plugin.cpp"};
   }
   return manifests;
 }
 
-OrRefusal<Manifest> readManifest(const std::filesystem::path& file, const std::string& id) {
-  auto read = readManifests(file);
-  if (const auto* refusal = std::get_if<Refusal>(&read)) return *refusal;
-  for (Manifest& manifest : std::get<std::vector<Manifest>>(read)) {
+Manifest readManifest(const std::filesystem::path& file, const std::string& id) {
+  for (Manifest& manifest : readManifests(file)) {
     if (manifest.id == id) return std::move(manifest);
   }
-  return Refusal{"plugin/not-found", file.string() + " has no plugin '" + id + "'",
-                 "`tolman plugins doctor FILE` shows what it has"};
+  throw Refusal{"plugin/not-found", file.string() + " has no plugin '" + id + "'",
+                "`tolman plugins doctor FILE` shows what it has"};
 }
 
 }  // namespace tolman::host

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "tolman/roles.hpp"
@@ -18,8 +19,13 @@ namespace tolman::host {
 /// Id of a refusal for want of processes or threads, which says nothing about the plugin.
 inline constexpr const char* kNoProcess = "plugin/no-process";
 
-/// Why a plugin was not opened. The ids are listed with their remedies in docs/errors.md.
-struct Refusal {
+/// Why a plugin was not opened; thrown. The ids are listed with their remedies in docs/errors.md.
+struct Refusal : std::exception {
+  Refusal() = default;
+  Refusal(std::string i, std::string found, std::string what_to_do)
+      : id(std::move(i)), message(std::move(found)), remedy(std::move(what_to_do)) {}
+  const char* what() const noexcept override { return message.c_str(); }
+
   std::string id;       ///< e.g. "plugin/fingerprint"
   std::string message;  ///< what was expected, where, and what was found
   std::string remedy;   ///< what to do
@@ -27,13 +33,9 @@ struct Refusal {
   std::string text() const { return "[" + id + "] " + message + "\n  remedy: " + remedy; }
 };
 
-/// A value or a refusal.
-template <class T>
-using OrRefusal = std::variant<T, Refusal>;
-
 /// The bytes of section `name` of a 64-bit little-endian x86-64 shared object. Refusals:
 /// plugin/unreadable, plugin/not-elf, plugin/truncated, plugin/wrong-machine, plugin/no-manifest.
-OrRefusal<std::string> readElfSection(const std::filesystem::path& file, std::string_view name);
+std::string readElfSection(const std::filesystem::path& file, std::string_view name);
 
 struct Manifest {
   std::filesystem::path file;
@@ -60,12 +62,12 @@ struct Manifest {
 };
 
 /// All manifests of one library. Besides the refusals of readElfSection(): plugin/bad-manifest.
-OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file);
+std::vector<Manifest> readManifests(const std::filesystem::path& file);
 
 /// The manifest of plugin `id`. Besides the refusals of readManifests(): plugin/not-found.
-OrRefusal<Manifest> readManifest(const std::filesystem::path& file, const std::string& id);
+Manifest readManifest(const std::filesystem::path& file, const std::string& id);
 
 /// Parses one JSON manifest; `file` is for messages.
-OrRefusal<Manifest> parseManifest(const std::string& text, const std::filesystem::path& file);
+Manifest parseManifest(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace tolman::host

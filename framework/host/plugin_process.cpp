@@ -3,17 +3,16 @@
 
 #include <fcntl.h>
 #include <oneapi/tbb/global_control.h>
-#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <condition_variable>
 #include <cstdlib>
-#include <exception>
-#include <new>
+#include <mutex>
 #include <optional>
 #include <sstream>
-#include <system_error>
 #include <thread>
 
 #include "host/channel.hpp"
@@ -128,12 +127,17 @@ Handlers handlersOf(Role role, const PluginObject& object) {
 
 namespace {
 
+void send(const Socket& socket, ReplyKind kind, std::uint32_t detail, std::string bytes) {
+  (void)socket.send({static_cast<std::uint32_t>(kind), detail, std::move(bytes)});
+}
+
 class RemoteLogger : public Logger {
  public:
   explicit RemoteLogger(const Socket& socket) : socket_(socket) {}
   void write(LogLevel level, std::string_view text) override {
-    constexpr auto kLog = static_cast<std::uint32_t>(ReplyKind::Log);
-    (void)socket_.send({{kLog, static_cast<std::uint32_t>(level)}, std::string(text)});
+    constexpr std::size_t kLongest = 10'000;
+    send(socket_, ReplyKind::Log, static_cast<std::uint32_t>(level),
+         std::string(text.substr(0, kLongest)));
   }
 
  private:
@@ -144,84 +148,86 @@ class RemoteFindings : public FindingCollector {
  public:
   explicit RemoteFindings(const Socket& socket) : socket_(socket) {}
   void add(Finding finding) override {
-    (void)socket_.send({{static_cast<std::uint32_t>(ReplyKind::Finding)}, textOf(finding)});
+    Encoder encoder;
+    encoder.put(finding);
+    send(socket_, ReplyKind::Finding, 0, encoder.take());
   }
 
  private:
   const Socket& socket_;
 };
 
-class RemoteCancellation : public Cancellation {
+/// The calls from the host, read by a thread of their own, which sees also during a call that the
+/// run was cancelled, and kills this process and its group as soon as the host ends.
+class Requests : public Cancellation {
  public:
-  explicit RemoteCancellation(const ControlBlock& control) : control_(control) {}
-  bool requested() const override { return control_.cancelled.load() != 0; }
-
- private:
-  const ControlBlock& control_;
-};
-
-/// Kills this process and its group as soon as the host ends, even during a call that
-/// does not return.
-void endWithHost(int socket) {
-  // The id of the original group: the plugin may have moved this process to another one.
-  std::thread([socket, group = ::getpid()] {
-    pollfd watched{socket, 0, 0};  // POLLHUP is always reported
-    while (::poll(&watched, 1, -1) <= 0) {
-    }
-    ::kill(-group, SIGKILL);
-    ::kill(group, SIGKILL);
-  }).detach();
-}
-
-OrRefusal<LoadedPlugin> open(const LoadMessage& message) {
-  auto manifest = readManifest(message.file, message.id);
-  if (auto* refusal = std::get_if<Refusal>(&manifest)) return std::move(*refusal);
-  std::get<Manifest>(manifest).program = message.program;
-  return loadPlugin(std::get<Manifest>(manifest), HostIdentity::ofThisBuild());
-}
-
-class PluginProcess {
- public:
-  PluginProcess(const std::vector<int>& descriptors, const ProcessServices& services)
-      : socket_(Descriptor(descriptors.at(0))),
-        request_(descriptors.at(1)),
-        response_(descriptors.at(2)),
-        control_(descriptors.at(3)),
-        services_(services),
-        log_(socket_),
-        findings_(socket_),
-        cancellation_(*reinterpret_cast<const ControlBlock*>(control_.view(sizeof(ControlBlock)))) {
-    for (const int descriptor : descriptors) {
-      ::fcntl(descriptor, F_SETFD,
-              FD_CLOEXEC);  // not inherited by processes that the plugin starts
-    }
-    endWithHost(socket_.descriptor());
-    addOwnCalls();
+  explicit Requests(const Socket& socket) : socket_(socket) {
+    // The id of the original group: the plugin may have moved this process to another one.
+    std::thread([this, group = ::getpid()] {
+      listen();
+      ::kill(-group, SIGKILL);
+      ::kill(group, SIGKILL);
+    }).detach();
+  }
+  bool requested() const override { return cancelled_; }
+  SocketMessage next() {
+    std::unique_lock lock(mutex_);
+    came_.wait(lock, [&] { return request_.has_value(); });
+    return *std::exchange(request_, std::nullopt);
   }
 
-  void run() {
+ private:
+  void listen() {
     SocketMessage message;
     for (;;) {
       const ReceiveResult received = socket_.receive(message, std::chrono::milliseconds(-1));
       if (received == ReceiveResult::Closed) return;
-      if (received == ReceiveResult::Message) execute(message);
+      if (received == ReceiveResult::Timeout) continue;
+      if (message.kind == static_cast<std::uint32_t>(Call::Cancel)) {
+        cancelled_ = true;
+        continue;
+      }
+      const std::lock_guard lock(mutex_);
+      request_ = std::move(message);
+      came_.notify_one();
+    }
+  }
+
+  const Socket& socket_;
+  std::atomic<bool> cancelled_ = false;
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::optional<SocketMessage> request_;
+};
+
+class PluginProcess {
+ public:
+  PluginProcess(int descriptor, const ProcessServices& services)
+      : socket_(Descriptor(descriptor)),
+        requests_(socket_),
+        services_(services),
+        log_(socket_),
+        findings_(socket_) {
+    ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);  // not inherited by processes that the plugin starts
+    addOwnCalls();
+  }
+
+  [[noreturn]] void run() {
+    for (;;) {
+      const SocketMessage request = requests_.next();
+      Decoder in(request.bytes);
+      Encoder out;
+      const auto found = handlers_.find(static_cast<Call>(request.kind));
+      if (found == handlers_.end()) {
+        out.put(Status::failed("the plugin does not support this call"));
+      } else {
+        found->second(in, out);
+      }
+      send(socket_, ReplyKind::Reply, request.detail, out.take());
     }
   }
 
  private:
-  void execute(const SocketMessage& request) {
-    Decoder in(request_.view(request.size), request.size);
-    Encoder out(response_);
-    const auto found = handlers_.find(static_cast<Call>(request.kind));
-    if (found == handlers_.end()) {
-      out.put(Status::failed("the plugin does not support this call"));
-    } else {
-      found->second(in, out);
-    }
-    constexpr auto kReply = static_cast<std::uint32_t>(ReplyKind::Reply);
-    (void)socket_.send({{kReply, request.detail, out.size()}, {}});
-  }
-
   void addOwnCalls() {
     handlers_[Call::Load] = handler(*this, &PluginProcess::load);
     handlers_[Call::Create] = handler(*this, &PluginProcess::create);
@@ -237,12 +243,14 @@ class PluginProcess {
       threads_.emplace(tbb::global_control::max_allowed_parallelism,
                        static_cast<std::size_t>(message.threads));
     }
-    auto loaded = open(message);
-    if (auto* reason = std::get_if<Refusal>(&loaded)) {
-      refusal = std::move(*reason);
+    try {
+      Manifest manifest = readManifest(message.file, message.id);
+      manifest.program = message.program;
+      plugin_ = loadPlugin(manifest, HostIdentity::ofThisBuild());
+    } catch (const Refusal& reason) {
+      refusal = reason;
       return Status::ok();
     }
-    plugin_ = std::move(std::get<LoadedPlugin>(loaded));
     role = plugin_->manifest.role;
     version = plugin_->manifest.version;
     summary = plugin_->manifest.summary;
@@ -253,8 +261,10 @@ class PluginProcess {
 
   Status create(Refusal& refusal, bool& arrays, bool& state) {
     object_ = plugin_->descriptor->create();
-    if (object_.plugin == nullptr) {
-      refusal = nullInstance(plugin_->manifest);
+    try {
+      requireObject(object_, plugin_->manifest);
+    } catch (const Refusal& reason) {
+      refusal = reason;
       return Status::ok();
     }
     arrays = object_.arrays != nullptr;
@@ -265,8 +275,8 @@ class PluginProcess {
 
   Status configure(const ContextMessage& message) {
     context_ = message;
-    return object_.plugin->configure({context_.parameters, log_, findings_, artefacts_,
-                                      cancellation_, services_.clock, context_.rig, context_.seed,
+    return object_.plugin->configure({context_.parameters, log_, findings_, artefacts_, requests_,
+                                      services_.clock, context_.rig, context_.seed,
                                       context_.instance});
   }
 
@@ -282,14 +292,11 @@ class PluginProcess {
   }
 
   Socket socket_;
-  SharedBuffer request_;
-  SharedBuffer response_;
-  SharedBuffer control_;
+  Requests requests_;
   const ProcessServices& services_;
   RemoteLogger log_;
   RemoteFindings findings_;
   StageArtefacts artefacts_;
-  RemoteCancellation cancellation_;
   std::optional<tbb::global_control> threads_;
   ContextMessage context_;
   std::optional<LoadedPlugin> plugin_;
@@ -297,31 +304,14 @@ class PluginProcess {
   Handlers handlers_;
 };
 
-/// Ends the process after an exception, which cannot leave a static constructor of a library. Where
-/// memory or threads are lacking, the exit code says so, instead of blaming the library.
-[[noreturn]] void endByException() noexcept {
-  try {
-    if (std::current_exception()) throw;
-  } catch (const std::bad_alloc&) {
-    ::_exit(kNoMemoryExit);
-  } catch (const std::system_error& error) {
-    if (error.code() == std::errc::resource_unavailable_try_again) ::_exit(kNoThreadsExit);
-    if (error.code() == std::errc::not_enough_memory) ::_exit(kNoMemoryExit);
-  } catch (...) {  // of the library
-  }
-  std::abort();
-}
-
 }  // namespace
 
-void runPluginProcess(const std::vector<int>& descriptors, const ProcessServices& services) {
-  std::set_terminate(endByException);
+void runPluginProcess(int descriptor, const ProcessServices& services) {
   try {
-    PluginProcess(descriptors, services).run();
+    PluginProcess(descriptor, services).run();
   } catch (...) {  // the host detects that this process ended
-    endByException();
+    std::abort();
   }
-  ::_exit(0);
 }
 
 }  // namespace tolman::host

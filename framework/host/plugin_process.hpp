@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/codec.hpp"
 #include "host/calls.hpp"
 #include "host/guard.hpp"
 #include "tolman/context.hpp"
@@ -64,11 +65,6 @@ Handler handler(Object& object, Status (Class::*method)(P...) const) {
       [&object, method](auto&&... values) -> Status { return (object.*method)(values...); }));
 }
 
-/// Exit code of a process that has too little memory to answer.
-inline constexpr int kNoMemoryExit = 71;
-/// Exit code of a process that cannot start the threads it needs.
-inline constexpr int kNoThreadsExit = 72;
-
 /// Services of the plugin's context that are implemented outside of this folder.
 struct ProcessServices {
   const Clock& clock;
@@ -78,9 +74,8 @@ struct ProcessServices {
       artefacts;
 };
 
-/// `descriptors` are the four that ProcessHandle appends to its command. Ends the process without
-/// returning, so that no static destructor of the plugin runs.
-[[noreturn]] void runPluginProcess(const std::vector<int>& descriptors,
-                                   const ProcessServices& services);
+/// `descriptor` of the socket is what ProcessHandle appends to its command. The process ends with
+/// the host, without static destructors of the plugin.
+[[noreturn]] void runPluginProcess(int descriptor, const ProcessServices& services);
 
 }  // namespace tolman::host

@@ -10,8 +10,6 @@
 #include <utility>
 
 #include "host/calls.hpp"
-#include "host/library.hpp"
-#include "host/plugin_process.hpp"
 
 namespace tolman::host {
 
@@ -29,18 +27,11 @@ constexpr int kDeadlineSignal = SIGUSR2;
 }  // namespace
 
 ProcessHandle::ProcessHandle(LaunchOptions launch)
-    : launch_(std::move(launch)),
-      request_("tolman-request"),
-      response_("tolman-response"),
-      control_memory_("tolman-control"),
-      control_(new (control_memory_.reserve(sizeof(ControlBlock))) ControlBlock{}),
-      socket_(Descriptor()) {
+    : launch_(std::move(launch)), socket_(Descriptor()) {
   auto [ours, theirs] = Socket::pair();
-  const std::vector<int> passed = {theirs.descriptor(), request_.descriptor(),
-                                   response_.descriptor(), control_memory_.descriptor()};
   std::vector<std::string> command = launch_.command;
-  for (const int descriptor : passed) command.push_back(std::to_string(descriptor));
-  process_ = std::make_unique<ChildProcess>(command, passed);
+  command.push_back(std::to_string(theirs.descriptor()));
+  process_ = std::make_unique<ChildProcess>(command, std::vector{theirs.descriptor()});
   socket_ = std::move(ours);
 }
 
@@ -52,82 +43,72 @@ void ProcessHandle::connect(Logger* log, FindingCollector* findings,
 }
 
 Status ProcessHandle::call(Call call, const Write& write, const Read& read) {
-  Encoder encoder(request_);
+  Encoder encoder;
   write(encoder);
-  SocketMessage message{{static_cast<std::uint32_t>(call), ++call_number_, encoder.size()}, {}};
-  if (record_requests_) {  // before the call, because the process could overwrite shared memory
-    recorded_request_.assign(reinterpret_cast<const char*>(request_.view(encoder.size())),
-                             encoder.size());
-  }
-  if (!socket_.send(message)) return readExit();
+  SocketMessage message{static_cast<std::uint32_t>(call), ++call_number_, encoder.take()};
+  const bool is_sent = socket_.send(message);
+  if (record_requests_) recorded_request_ = std::move(message.bytes);
+  if (!is_sent) return readExit();
   const auto begin = steady_clock::now();
-  for (;;) {
-    const ReceiveResult received = waitForMessage(message, begin);
-    if (received == ReceiveResult::Closed) return readExit();
-    if (received == ReceiveResult::Timeout) {
-      process_->signal(kDeadlineSignal);
-      (void)process_->end(kExitTimeout);
-      return end(fmt::format("did not return within {:g} s and was killed", launch_.deadline_s));
+  try {
+    for (;;) {
+      const ReceiveResult received = waitForMessage(message, begin);
+      if (received == ReceiveResult::Closed) return readExit();
+      if (received == ReceiveResult::Timeout) {
+        process_->signal(kDeadlineSignal);
+        (void)process_->end(kExitTimeout);
+        return end(fmt::format("did not return within {:g} s and was killed", launch_.deadline_s));
+      }
+      const auto kind = static_cast<ReplyKind>(message.kind);
+      // Other numbers are from a copy of the process that the plugin made by fork().
+      if (kind == ReplyKind::Reply && message.detail == call_number_) {
+        return readReply(message.bytes, read);
+      }
+      if (kind == ReplyKind::Finding && findings_ != nullptr) {
+        findings_->add(Decoder(message.bytes).next<Finding>());
+      } else if (kind == ReplyKind::Log && log_ != nullptr) {
+        log_->write(static_cast<LogLevel>(message.detail), message.bytes);
+      }
     }
-    if (message.kind == static_cast<std::uint32_t>(ReplyKind::Reply)) {
-      if (message.detail == call_number_) return readReply(message, read);
-      continue;  // from a copy of the process that the plugin made by fork()
-    }
-    if (message.kind == static_cast<std::uint32_t>(ReplyKind::Finding)) {
-      const auto finding = findingOf(message.text);
-      if (findings_ != nullptr && finding) findings_->add(*finding);
-      continue;
-    }
-    if (log_ != nullptr && message.detail <= static_cast<std::uint32_t>(LogLevel::Error)) {
-      log_->write(static_cast<LogLevel>(message.detail), message.text);
-    }
+  } catch (const std::exception& error) {
+    return end(std::string("sent a malformed reply and was killed: ") + error.what());
   }
 }
 
 /// Returns Timeout if the deadline of the call has passed.
 ReceiveResult ProcessHandle::waitForMessage(SocketMessage& message,
                                             steady_clock::time_point begin) {
+  const std::uint64_t most_mib = launch_.memory_mib > 0 ? launch_.memory_mib : kMaxReplyMib;
   for (;;) {
     const std::chrono::duration<double> waited = steady_clock::now() - begin;
     if (launch_.deadline_s > 0 && waited.count() > launch_.deadline_s) {
       return ReceiveResult::Timeout;
     }
-    const bool cancelled = cancellation_ != nullptr && cancellation_->requested();
-    control_->cancelled.store(cancelled ? 1 : 0, std::memory_order_relaxed);
+    if (!cancel_sent_ && cancellation_ != nullptr && cancellation_->requested()) {
+      cancel_sent_ = socket_.send({static_cast<std::uint32_t>(Call::Cancel), 0, {}});
+    }
     // Processes that the plugin started may keep the socket open, so test the process as well. Test
     // it before the socket, which may still contain its last messages.
     const bool ended = process_->hasEnded();
     const ReceiveResult received =
-        socket_.receive(message, ended ? milliseconds(0) : kPollInterval);
+        socket_.receive(message, ended ? milliseconds(0) : kPollInterval, most_mib << 20U);
     if (received != ReceiveResult::Timeout) return received;
     if (ended) return ReceiveResult::Closed;
   }
 }
 
-Status ProcessHandle::readReply(const SocketMessage& reply, const Read& read) {
-  try {
-    const std::uint64_t limit_mib = launch_.memory_mib > 0 ? launch_.memory_mib : kMaxReplyMib;
-    if (reply.size > limit_mib << 20U) {
-      throw std::domain_error("it is larger than isolation.memory_limit");
-    }
-    Decoder decoder(response_.view(reply.size), reply.size);
-    Status status = decoder.next<Status>();
-    if (status.isOk()) read(decoder);
-    if (decoder.remaining() > 0) throw std::domain_error("bytes follow its end");
-    const bool out_of_memory = status.message().find("std::bad_alloc") != std::string::npos;
-    if (!out_of_memory || launch_.memory_mib == 0) return status;
-    return {status.code(), status.message() + fmt::format("; isolation.memory_limit is {} MiB",
-                                                          launch_.memory_mib)};
-  } catch (const std::exception& error) {
-    return end(std::string("sent a malformed reply and was killed: ") + error.what());
-  }
+Status ProcessHandle::readReply(const std::string& reply, const Read& read) {
+  Decoder decoder(reply);
+  Status status = decoder.next<Status>();
+  if (status.isOk()) read(decoder);
+  if (decoder.remaining() > 0) throw std::domain_error("bytes follow its end");
+  const bool out_of_memory = status.message().find("std::bad_alloc") != std::string::npos;
+  if (!out_of_memory || launch_.memory_mib == 0) return status;
+  return {status.code(),
+          status.message() + fmt::format("; isolation.memory_limit is {} MiB", launch_.memory_mib)};
 }
 
-Status ProcessHandle::readExit() {
-  const ProcessEnd ended = process_->end(kExitTimeout);
-  if (ended.signal == 0) exit_code_ = ended.exit_code;
-  return end(ended.text());
-}
+Status ProcessHandle::readExit() { return end(process_->end(kExitTimeout).text()); }
 
 Status ProcessHandle::end(const std::string& reason) {
   exit_reason_ = reason;
@@ -154,19 +135,6 @@ bool isInitial(Call call) {
   return call == Call::Configure || call == Call::OpenArtefacts || call == Call::Begin;
 }
 
-/// Addition to a remedy if the limits are below the defaults; otherwise empty.
-std::string hintAt(const LaunchOptions& limits) {
-  const LaunchOptions usual;
-  std::string hint;
-  if (limits.deadline_s > 0 && limits.deadline_s < usual.deadline_s) {
-    hint += fmt::format("; isolation.deadline is {:g} s", limits.deadline_s);
-  }
-  if (limits.memory_mib > 0 && limits.memory_mib < usual.memory_mib) {
-    hint += fmt::format("; isolation.memory_limit is {} MiB", limits.memory_mib);
-  }
-  return hint;
-}
-
 /// The file that the user wrote: the program, or the library.
 std::string openedFile(const Manifest& manifest) {
   return (manifest.program.empty() ? manifest.file : manifest.program).string();
@@ -180,18 +148,18 @@ Refusal noProcess(const std::string& plugin, const std::string& why) {
 
 }  // namespace
 
-OrRefusal<std::shared_ptr<RemotePlugin>> RemotePlugin::start(const Manifest& manifest,
-                                                             const LaunchOptions& launch) {
+std::shared_ptr<RemotePlugin> RemotePlugin::start(const Manifest& manifest,
+                                                  const LaunchOptions& launch) {
   std::shared_ptr<RemotePlugin> remote(new RemotePlugin(manifest, launch));
-  if (auto refusal = remote->load()) return *refusal;
+  remote->load();
   return remote;
 }
 
-std::optional<Refusal> RemotePlugin::load() {
+void RemotePlugin::load() {
   try {
     process_ = std::make_unique<ProcessHandle>(launch_);
   } catch (const std::exception& error) {
-    return noProcess(manifest_.id, error.what());
+    throw noProcess(manifest_.id, error.what());
   }
   const LoadMessage message{manifest_.file.string(), manifest_.id, manifest_.program.string(),
                             launch_.memory_mib, launch_.threads};
@@ -204,20 +172,8 @@ std::optional<Refusal> RemotePlugin::load() {
         if (enumName(manifest_.role) == "invalid")
           throw std::domain_error("a role that does not exist");
       });
-  const std::optional<int> exit_code = process_->exitCode();
-  const std::string kind = manifest_.program.empty() ? "the library" : "the program";
-  if (exit_code == kNoThreadsExit) return noProcess(manifest_.id, "its threads cannot be started");
-  if (exit_code == kNoMemoryExit) {
-    return Refusal{"plugin/load-failed",
-                   openedFile(manifest_) + ": out of memory while " + kind + " was opened",
-                   kLimitsTooLow + hintAt(launch_)};
-  }
-  if (!status.isOk()) return diedWhenOpened(status.message());
-  if (!refusal.id.empty()) {
-    refusal.remedy += hintAt(launch_);
-    return refusal;
-  }
-  return std::nullopt;
+  if (!status.isOk()) throw diedWhenOpened(status.message());
+  if (!refusal.id.empty()) throw refusal;
 }
 
 /// Of a program its own file is to blame, not the library that interprets it.
@@ -225,29 +181,26 @@ Refusal RemotePlugin::diedWhenOpened(const std::string& why) const {
   if (!manifest_.program.empty()) {
     return {"plugin/program", openedFile(manifest_) + ": while it was imported: " + why,
             "what stands outside of functions runs at import: move long or dangerous work to "
-            "start(); `tolman plugins doctor FILE` opens it alone" +
-                hintAt(launch_)};
+            "start(); `tolman plugins doctor FILE` opens it alone"};
   }
   return {"plugin/died", openedFile(manifest_) + ": while the library was opened: " + why,
           "`tolman plugins validate FILE` shows more; static constructors of the library run when "
-          "it is opened" +
-              hintAt(launch_)};
+          "it is opened, within `isolation.deadline` and `isolation.memory_limit`"};
 }
 
-std::optional<Refusal> RemotePlugin::create() {
-  if (created_) return std::nullopt;
+void RemotePlugin::create() {
+  if (created_) return;
   Refusal refusal;
   const Status status = process_->call(Call::Create, kNoData, [&](Decoder& decoder) {
     decoder.getAll(refusal, has_arrays_, has_state_);
   });
   if (!status.isOk()) {
-    return Refusal{"plugin/create-failed",
-                   "plugin '" + manifest_.id + "', construct: " + status.message(),
-                   "a constructor must be cheap: move work to configure()"};
+    throw Refusal{"plugin/create-failed",
+                  "plugin '" + manifest_.id + "', construct: " + status.message(),
+                  "a constructor must be cheap: move work to configure()"};
   }
-  if (!refusal.id.empty()) return refusal;
+  if (!refusal.id.empty()) throw refusal;
   created_ = true;
-  return std::nullopt;
 }
 
 bool RemotePlugin::enableRestart() {
@@ -313,10 +266,13 @@ void RemotePlugin::record(Call call) {
 /// Calls since the checkpoint may fail, because they failed before; those before may not.
 Status RemotePlugin::startAndRestore() {
   created_ = false;
-  auto refusal = load();
-  process_->connect(nullptr, nullptr, cancellation_);  // the repeated calls were logged before
-  if (!refusal) refusal = create();
-  if (refusal) return Status::failed(refusal->message);
+  try {
+    load();
+    process_->connect(nullptr, nullptr, cancellation_);  // the repeated calls were logged before
+    create();
+  } catch (const Refusal& refusal) {
+    return Status::failed(refusal.message);
+  }
   for (const RecordedCall& recorded : history_) {
     Status status = process_->call(
         recorded.call,

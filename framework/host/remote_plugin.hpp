@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/codec.hpp"
 #include "host/calls.hpp"
 #include "host/channel.hpp"
 #include "host/child_process.hpp"
@@ -21,7 +22,7 @@ namespace tolman::host {
 
 /// How the process of a plugin is started, and its limits.
 struct LaunchOptions {
-  std::vector<std::string> command;  ///< calls runPluginProcess(); four descriptors are appended
+  std::vector<std::string> command;  ///< calls runPluginProcess(); the descriptor is appended
   double deadline_s = 60;            ///< for one call; 0 for none
   std::uint64_t memory_mib = 4096;   ///< for its data; 0 for no limit
   std::int64_t threads = 0;          ///< 0 for one per processor
@@ -51,29 +52,23 @@ class ProcessHandle {
   bool hasEnded() const { return !exit_reason_.empty(); }
   /// Why the process ended, such as "died of SIGSEGV (Segmentation fault)"; empty while it runs.
   const std::string& exitReason() const { return exit_reason_; }
-  /// The code with which the process ended by itself; none while it runs, and if it was killed.
-  std::optional<int> exitCode() const { return exit_code_; }
 
  private:
   ReceiveResult waitForMessage(SocketMessage& message, std::chrono::steady_clock::time_point begin);
   Status readExit();
-  Status readReply(const SocketMessage& reply, const Read& read);
+  Status readReply(const std::string& reply, const Read& read);
 
   LaunchOptions launch_;
-  SharedBuffer request_;
-  SharedBuffer response_;
-  SharedBuffer control_memory_;
-  ControlBlock* control_;
   Socket socket_;
   std::unique_ptr<ChildProcess> process_;
   Logger* log_ = nullptr;
   FindingCollector* findings_ = nullptr;
   const Cancellation* cancellation_ = nullptr;
+  bool cancel_sent_ = false;
   std::uint32_t call_number_ = 0;
   bool record_requests_ = false;
   std::string recorded_request_;
   std::string exit_reason_;
-  std::optional<int> exit_code_;
 };
 
 /// If restart is enabled and the process ends, the next call starts a new process and restores the
@@ -83,10 +78,9 @@ class RemotePlugin {
  public:
   /// Starts a process that loads the plugin. Refusals: those of loadPlugin(), plugin/died if the
   /// process ended while it opened the library, plugin/no-process.
-  static OrRefusal<std::shared_ptr<RemotePlugin>> start(const Manifest& manifest,
-                                                        const LaunchOptions& launch);
+  static std::shared_ptr<RemotePlugin> start(const Manifest& manifest, const LaunchOptions& launch);
   /// Constructs the plugin's object, once. Refusals: as Instance::create().
-  std::optional<Refusal> create();
+  void create();
   /// Records calls from now on, so that they can be repeated. Returns false if the plugin cannot be
   /// restored: sources never can (they would start at their first frame again); place recognition,
   /// cells and maps only if they save their state.
@@ -118,7 +112,7 @@ class RemotePlugin {
 
   RemotePlugin(Manifest manifest, LaunchOptions launch)
       : manifest_(std::move(manifest)), launch_(std::move(launch)) {}
-  std::optional<Refusal> load();
+  void load();
   Refusal diedWhenOpened(const std::string& why) const;
   Status exchange(Call call, const ProcessHandle::Write& write, const ProcessHandle::Read& read);
   bool canRestart() const;
@@ -145,8 +139,8 @@ class RemotePlugin {
 
 /// Adapts a RemotePlugin to the role interfaces, so that the host uses it like any other instance:
 /// constructs the plugin's object in its process. Refusals: those of RemotePlugin::create().
-OrRefusal<std::unique_ptr<Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
-                                                 const std::string& name);
+std::unique_ptr<Instance> instantiate(std::shared_ptr<RemotePlugin> remote,
+                                      const std::string& name);
 
 /// Sends the folder of the run to the process, which creates the plugin's artefact writer there.
 Status openArtefacts(RemotePlugin& remote, const std::string& run_directory);

@@ -5,8 +5,8 @@
 #include <istream>
 #include <iterator>
 #include <ostream>
+#include <stdexcept>
 
-#include "host/guard.hpp"
 #include "host/remote_plugin.hpp"
 
 namespace tolman::host {
@@ -30,7 +30,7 @@ class RemoteRole : public RoleType,
 
   void arrays(std::vector<NamedArray>& arrays) const override {
     const Status status = remote_->call(Call::Arrays, kNone, std::tie(arrays));
-    if (!status.isOk()) throw FailedCall(status);
+    if (!status.isOk()) throw std::runtime_error(status.message());
   }
   Status describe(std::vector<ArrayInfo>& arrays) const override {
     std::vector<ArrayInfo> described;
@@ -41,7 +41,7 @@ class RemoteRole : public RoleType,
   std::string url() const override {
     std::string url;
     const Status status = remote_->call(Call::Url, kNone, std::tie(url));
-    if (!status.isOk()) throw FailedCall(status);
+    if (!status.isOk()) throw std::runtime_error(status.message());
     return url;
   }
   Status rawRig(RawRig& rig) override { return remote_->call(Call::RawRig, kNone, std::tie(rig)); }
@@ -98,7 +98,7 @@ class RemotePlace final : public RemoteRole<Place> {
   PlaceInput input() const override {
     PlaceInput input = PlaceInput::Frame;
     const Status status = ask(Call::Input, kNone, std::tie(input));
-    if (!status.isOk()) throw FailedCall(status);
+    if (!status.isOk()) throw std::runtime_error(status.message());
     return input;
   }
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override {
@@ -177,12 +177,12 @@ std::unique_ptr<Instance> adopt(std::shared_ptr<RemotePlugin> remote, const std:
 
 }  // namespace
 
-OrRefusal<std::unique_ptr<Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
-                                                 const std::string& name) {
+std::unique_ptr<Instance> instantiate(std::shared_ptr<RemotePlugin> remote,
+                                      const std::string& name) {
   constexpr std::array kAdopt = {&adopt<RemoteSource>, &adopt<RemoteOdometry>,
                                  &adopt<RemotePlace>,  &adopt<RemoteCells>,
                                  &adopt<RemoteMap>,    &adopt<RemoteObserver>};
-  if (auto refusal = remote->create()) return *refusal;
+  remote->create();
   const auto role = static_cast<std::size_t>(remote->manifest().role);
   return kAdopt.at(role)(std::move(remote), name);
 }

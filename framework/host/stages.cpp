@@ -27,14 +27,8 @@ Status MotionTimes::check(const Frame& frame, const Motion& motion) const {
 
 void MotionTimes::add(const Frame& frame, bool answered) {
   if (answered || last_frame_ == INT64_MAX) answered_ns_ = frame.stamp_ns;
-  if (last_frame_ < frame.frame - 1) gaps_.push_back({last_frame_ + 1, frame.frame - 1});
   given_ns_ = frame.stamp_ns;
   last_frame_ = frame.frame;
-}
-
-bool MotionTimes::wasGiven(std::int64_t frame) const {
-  const auto next = std::ranges::upper_bound(gaps_, frame, {}, &Gap::first);
-  return next == gaps_.begin() || std::prev(next)->last < frame;
 }
 
 namespace {
@@ -136,21 +130,11 @@ Status OdometryStage::track(const Frame& frame, Motion& motion) {
     if (status.isOk()) status = checkAnswer(frame, motion);
     if (status.isOk()) status = checkMotion(motion, frame.frame == first_frame_);
     if (status.isOk()) status = times_.check(frame, motion);
-    if (status.isOk()) status = check(motion.revisions, frame.frame - 1);
+    if (status.isOk()) status = checkRevisions(motion.revisions, first_frame_, frame.frame - 1);
     return status;
   });
   times_.add(frame, answered.isOk());
   return answered;
-}
-
-Status OdometryStage::check(const std::vector<MotionRevision>& revisions,
-                            std::int64_t newest) const {
-  for (const MotionRevision& revision : revisions) {
-    if (times_.wasGiven(revision.frame)) continue;
-    return Status::failed(
-        fmt::format("revised frame {}, which was dropped before odometry", revision.frame));
-  }
-  return checkRevisions(revisions, first_frame_, newest);
 }
 
 /// Calls the plugin, whose frame numbers begin with 0 in each session, and converts the numbers.
@@ -170,7 +154,7 @@ Status OdometryStage::finish(std::vector<MotionRevision>& revisions) {
     const Status status = odometry.finish(revisions);
     shift(revisions, first_frame_);
     if (!status.isOk()) return status;
-    return check(revisions, times_.lastFrame());
+    return checkRevisions(revisions, first_frame_, times_.lastFrame());
   });
 }
 
@@ -188,15 +172,14 @@ Status PlaceStage::observe(const Frame& frame, const Motion* motion,
   const Status answered = call("observe", frame.frame, [&](Place& place) {
     Status status = place.observe(frame, motion, observation);
     if (status.isOk()) status = checkAnswer(frame, observation);
-    if (status.isOk()) status = checkTemplateId(observation, templates_, most_);
+    if (status.isOk()) status = checkTemplateId(observation, templates_);
     if (status.isOk()) status = checkPlace(observation);
     return status;
   });
   if (!answered.isOk()) {
     templates_ = -1;  // it may have created a template
-    if (most_ < kUnlimited) ++most_;
   } else if (observation.recognition == Recognition::Novel) {
-    templates_ = most_ = observation.template_id + 1;
+    templates_ = observation.template_id + 1;
   }
   return answered;
 }

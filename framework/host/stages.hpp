@@ -19,8 +19,7 @@
 
 namespace tolman::host {
 
-/// Remembers the frames that odometry was given, and checks the `dt` of its motions against their
-/// stamps.
+/// Checks the `dt` of motions against the stamps of their frames.
 class MotionTimes {
  public:
   /// `motion` is the answer to `frame`. Its `dt` must be within a factor of ten of the time since
@@ -31,22 +30,12 @@ class MotionTimes {
   void add(const Frame& frame, bool answered);
   /// The last frame; INT64_MAX if there was none.
   std::int64_t lastFrame() const { return last_frame_; }
-  /// False for a frame between the first and the last that realtime dropped.
-  bool wasGiven(std::int64_t frame) const;
 
  private:
-  /// Numbers of frames that were left out, both ends included.
-  struct Gap {
-    std::int64_t first;
-    std::int64_t last;
-  };
-  std::vector<Gap> gaps_;  // ascending
   std::int64_t last_frame_ = INT64_MAX;
   std::int64_t given_ns_ = 0;
   std::int64_t answered_ns_ = 0;
 };
-
-inline constexpr std::int64_t kUnlimited = INT64_MAX;
 
 /// Owns the instance of a role.
 template <class RoleType>
@@ -105,7 +94,6 @@ class OdometryStage : public Stage<Odometry> {
 
  private:
   Status track(Odometry& odometry, const Frame& frame, Motion& motion) const;
-  Status check(const std::vector<MotionRevision>& revisions, std::int64_t newest) const;
   std::int64_t first_frame_ = 0;
   MotionTimes times_;
 };
@@ -118,16 +106,12 @@ class PlaceStage : public Stage<Place> {
   /// Checks that new template ids have no gaps and that others exist.
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
   Status finish() { return call("finish", -1, &Place::finish); }
-  /// Sets the number of templates: 0 after reset(), -1 (not known) after a saved state was loaded.
-  /// If it is not known, the next novel answer determines it; there are at most `most`.
-  void resetChecks(std::int64_t templates = 0, std::int64_t most = kUnlimited) {
-    templates_ = templates;
-    most_ = templates < 0 ? most : templates;
-  }
+  /// Sets the number of templates: 0 after reset(), -1 (not known) after a saved state was loaded:
+  /// then the next novel answer determines it.
+  void resetChecks(std::int64_t templates = 0) { templates_ = templates; }
 
  private:
   std::int64_t templates_ = 0;
-  std::int64_t most_ = 0;  ///< `templates_`, where it is known
 };
 
 class CellsStage : public Stage<Cells> {
@@ -137,11 +121,10 @@ class CellsStage : public Stage<Cells> {
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
   Status finish() { return call("finish", -1, &Cells::finish); }
   /// Sets the number of experiences: 0 after reset(), or that of a saved state that was loaded.
-  /// `templates`: ids below it may have been given before.
-  void resetChecks(std::int64_t experiences = 0, std::int64_t templates = kUnlimited) {
+  void resetChecks(std::int64_t experiences = 0) {
     experiences_ = experiences;
     last_ = experiences == 0 ? -1 : kUnknown;
-    templates_ = experiences == 0 ? 0 : templates;
+    templates_ = experiences == 0 ? 0 : INT64_MAX;  // given before; not known
   }
 
  private:

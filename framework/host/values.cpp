@@ -73,26 +73,12 @@ Status checkRig(const CameraRig& rig) {
 
 namespace {
 
-/// A name in quotes, shortened and printable.
-std::string quoted(std::string_view name) {
-  return "'" + config::printable(name.substr(0, config::kLongestName)) + "'";
-}
-
 Status checkName(std::string_view name) {
   const bool fits = !name.empty() && name.size() <= config::kLongestName;
   if (fits && config::isPrintable(name)) return Status::ok();
   return Status::failed(
-      fmt::format("the array name {} is not of 1 to {} bytes of UTF-8 without control characters",
-                  quoted(name), config::kLongestName));
-}
-
-Status checkText(std::string_view text, const std::string& array) {
-  const bool fits = text.size() <= config::kLongestText;
-  if (fits && config::printable(text) == text) return Status::ok();
-  return Status::failed(
-      fmt::format("a text that describes array '{}' is not of up to {} bytes of UTF-8 without "
-                  "control characters: {}",
-                  array, config::kLongestText, quoted(text)));
+      fmt::format("the array name '{}' is not of 1 to {} bytes of UTF-8 without control characters",
+                  config::printable(name.substr(0, config::kLongestName)), config::kLongestName));
 }
 
 Status checkArray(const NamedArray& array) {
@@ -115,18 +101,6 @@ bool differInLength(std::span<const int> a, std::span<const int> b) {
 
 Status changedShape(const NamedArray& array) {
   return Status::failed("array '" + array.name + "' changed its shape");
-}
-
-Status checkTexts(const ArrayInfo& info) {
-  std::vector<std::string_view> texts = {info.unit, info.doc, info.population};
-  for (const ArrayAxis& axis : info.axes) {
-    texts.insert(texts.end(), {axis.name, axis.unit});
-    texts.insert(texts.end(), axis.labels.begin(), axis.labels.end());
-  }
-  for (const std::string_view text : texts) {
-    if (Status status = checkText(text, info.name); !status.isOk()) return status;
-  }
-  return Status::ok();
 }
 
 /// Checks the number of arrays, each array, and that names are unique.
@@ -154,9 +128,8 @@ Status checkArrays(const std::vector<NamedArray>& arrays) {
 
 Status checkDescriptions(std::span<const ArrayInfo> arrays) {
   return checkEach(arrays, [](const ArrayInfo& info) {
-    Status status = checkName(info.name);
-    if (status.isOk()) status = checkValues(info);
-    return status.isOk() ? checkTexts(info) : status;
+    const Status status = checkName(info.name);
+    return status.isOk() ? checkValues(info) : status;
   });
 }
 

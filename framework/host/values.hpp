@@ -104,7 +104,7 @@ Status checkValues(const R& record, std::string_view enclosing = {}) {
 /// Checks number, names, shapes and values of the arrays of one frame.
 Status checkArrays(const std::vector<NamedArray>& arrays);
 
-/// Checks names, texts and numbers of descriptions.
+/// Checks names and numbers of descriptions.
 Status checkDescriptions(std::span<const ArrayInfo> arrays);
 
 /// Checks that names and shapes of the arrays of a plugin stay the same over a run. Call only one

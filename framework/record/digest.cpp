@@ -132,7 +132,8 @@ Status verify(const fs::path& run_directory) {
   return guarded(file.string(), [&] {
     const Database database = openDatabase(file, Access::ReadOnly);
     Statement row(database, "PRAGMA quick_check(1)");
-    if (row.step() && row.next().getString() != "ok") throw BadRow("is damaged; run it again");
+    if (row.step() && row.next().getString() != "ok")
+      throw std::domain_error("is damaged; run it again");
   });
 }
 

@@ -13,13 +13,14 @@
 namespace tolman::record {
 namespace {
 
-/// BadRow where ids are not 0, 1, 2, ... without gaps.
+/// std::domain_error where ids are not 0, 1, 2, ... without gaps.
 template <Record R>
 std::vector<R> rowsById(const Database& database) {
   std::vector<R> rows;
   forEachRow<R>(database, "", [&](const R& row) {
     if (row.id != static_cast<std::int64_t>(rows.size())) {
-      throw BadRow(std::string(R::kRecord) + " " + std::to_string(rows.size()) + " is missing");
+      throw std::domain_error(std::string(R::kRecord) + " " + std::to_string(rows.size()) +
+                              " is missing");
     }
     rows.push_back(row);
   });
@@ -107,12 +108,13 @@ RunReader::RunReader(std::filesystem::path directory, const std::filesystem::pat
       name_(file.string()),
       database_(openDatabase(file, Access::ReadOnly)) {
   database_.exec("BEGIN");  // all reads see one state
-  if (!database_.tableExists("run")) throw BadRow("is no run database; it has no table `run`");
+  if (!database_.tableExists("run"))
+    throw std::domain_error("is no run database; it has no table `run`");
   const std::string version = entryOf(database_, "schema_version");
   if (version == std::to_string(kSchemaVersion)) return;
-  throw BadRow("has schema version " + (version.empty() ? "none" : version) +
-               ", this program reads " + std::to_string(kSchemaVersion) +
-               "; run again to record it anew");
+  throw std::domain_error("has schema version " + (version.empty() ? "none" : version) +
+                          ", this program reads " + std::to_string(kSchemaVersion) +
+                          "; run again to record it anew");
 }
 
 Result<std::vector<ArrayInfo>> RunReader::arrayInfos() const {
@@ -240,10 +242,10 @@ const Result<MapGraph>& RunReader::graph() const {
     const auto count = static_cast<std::int64_t>(graph.experiences.size());
     for (const RecordedLink& link : rowsById<RecordedLink>(database_)) {
       if (std::min(link.from, link.to) < 0 || std::max(link.from, link.to) >= count) {
-        throw BadRow("link " + std::to_string(link.id) + " ends at no experience");
+        throw std::domain_error("link " + std::to_string(link.id) + " ends at no experience");
       }
       if (!(link.duration >= 0)) {
-        throw BadRow("link " + std::to_string(link.id) + " has a duration below 0");
+        throw std::domain_error("link " + std::to_string(link.id) + " has a duration below 0");
       }
       graph.links.push_back(link);
       if (link.rejected) graph.rejected.push_back(link.id);

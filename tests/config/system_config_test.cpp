@@ -77,19 +77,6 @@ TEST_CASE("Groups and lists of the wrong kind are refused, also when left empty"
   CHECK(system.problems[2].message == "expects a list such as [{plugin: progress}], not nothing");
 }
 
-TEST_CASE("A plugin that declares a key of the host is a problem") {
-  const test::CheckedSystem system = test::checkSystem("whole.yaml");
-  ParameterInfo name;
-  name.name = "name";
-  name.default_value = 0.0;
-  config::Problems problems;
-  config::check(system.config.stages[2], Schema{name}, system.config.folders, problems);
-  REQUIRE(problems.size() == 1);
-  CHECK(problems[0].message ==
-        "plugin toy_place declares the parameter 'name', which is a key of the host; rename it in "
-        "the plugin");
-}
-
 TEST_CASE("An empty plugin name is refused") {
   const auto system = checkText("a.yaml", std::string(kChain) + "observers: [{plugin: \"\"}]\n");
   REQUIRE(system.problems.size() == 1);

@@ -124,8 +124,6 @@ TEST_CASE("what cannot be rectified is refused with a remedy") {
   rig = sound;
   rig.cameras[1].T_reference_camera.translation() = Eigen::Vector3d(0, 0.2, 0);
   CHECK_THAT(refusalOf(rig), Catch::Contains("0.200 m below"));
-  rig.cameras[1].T_reference_camera.translation() = Eigen::Vector3d(110, 0, 0);
-  CHECK_THAT(refusalOf(rig), Catch::Contains("the cameras are 110 m apart"));
   rig.cameras[1].T_reference_camera.translation().setZero();
   CHECK_THAT(refusalOf(rig), Catch::Contains("both cameras are at one place"));
   CHECK_THAT(refusalOf(test::pairOf(test::eurocCamera(), 0.11, {0, 2, 0})),

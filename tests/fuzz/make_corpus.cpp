@@ -162,10 +162,9 @@ void writeMap(const fs::path& folder) {
 
 template <class... T>
 std::string encoded(const T&... values) {
-  host::SharedBuffer memory("corpus");
-  Encoder encoder(memory);
+  Encoder encoder;
   encoder.putAll(values...);
-  return {reinterpret_cast<const char*>(memory.view(encoder.size())), encoder.size()};
+  return encoder.take();
 }
 
 /// As wire_answers reads it.
@@ -236,8 +235,7 @@ void writeAnswers(const fs::path& folder) {
   writeAnswer(folder, "graph", 5, smallGraph());
   writeAnswer(folder, "info", 6, smallRun().source);
   writeAnswer(folder, "revisions", 7, motionWithPoints().revisions);
-  writeAnswer(folder, "finding", 8,
-              host::textOf({Finding::Severity::Note, "file:1", "fine", "", {}}));
+  writeAnswer(folder, "finding", 8, Finding{Finding::Severity::Note, "file:1", "fine", "", {}});
   writeAnswer(folder, "arrays", 9, arrays);
   writeAnswer(folder, "describe", 10, smallRun().arrays);
   writeAnswer(folder, "save", 11, std::string("state"));

@@ -7,13 +7,14 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tolman;
-  const auto parsed = host::parseManifest(std::string(fuzz::asText({data, size})), "plugin.so");
-  if (const auto* refusal = std::get_if<host::Refusal>(&parsed)) {
-    fuzz::require(!refusal->id.empty() && !refusal->message.empty() && !refusal->remedy.empty(),
+  host::Manifest manifest;
+  try {
+    manifest = host::parseManifest(std::string(fuzz::asText({data, size})), "plugin.so");
+  } catch (const host::Refusal& refusal) {
+    fuzz::require(!refusal.id.empty() && !refusal.message.empty() && !refusal.remedy.empty(),
                   "a refusal that says nothing");
     return 0;
   }
-  const auto& manifest = std::get<host::Manifest>(parsed);
   fuzz::require(!manifest.id.empty(), "a plugin without an id");
   for (const std::string& text : {manifest.version, manifest.fingerprint, manifest.summary}) {
     for (const char c : text) fuzz::require(c < 0 || c >= ' ', "a control character");

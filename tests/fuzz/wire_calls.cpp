@@ -71,13 +71,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       handlersOf<Source>(Role::Source, plugin), handlersOf<Odometry>(Role::Odometry, plugin),
       handlersOf<Place>(Role::Place, plugin),   handlersOf<Cells>(Role::Cells, plugin),
       handlersOf<Map>(Role::Map, plugin),       handlersOf<Observer>(Role::Observer, plugin)};
-  static host::SharedBuffer answers("answers");
   fuzz::Input input({data, size});
   const std::size_t role = input.take<std::uint8_t>() % kHandlers.size();
   const auto call = static_cast<host::Call>(input.take<std::uint8_t>());
   const fuzz::Bytes bytes = input.rest();
-  Decoder decoder(reinterpret_cast<const std::byte*>(bytes.data()), bytes.size());
-  Encoder encoder(answers);
+  Decoder decoder(fuzz::asText(bytes));
+  Encoder encoder;
   try {
     host::ContextMessage context;
     host::LoadMessage load;

@@ -110,18 +110,6 @@ TEST_CASE("template ids are 0, 1, 2, ... without gaps") {
   CHECK_FALSE(message(Recognition::Novel, -2, -1).empty());
 }
 
-TEST_CASE("where the number of templates is not known, there is a largest one") {
-  PlaceObservation seen;
-  seen.recognition = Recognition::Novel;
-  seen.template_id = 7;
-  CHECK(checkTemplateId(seen, -1, 7).isOk());
-  CHECK(checkTemplateId(seen, -1, 6).message() ==
-        "made template 7; ids are 0, 1, 2, ... without gaps, the next one is at most 6");
-  seen.recognition = Recognition::Familiar;
-  CHECK(checkTemplateId(seen, -1, 8).isOk());
-  CHECK(checkTemplateId(seen, -1, 7).message() == "recognised template 7, which was never made");
-}
-
 TEST_CASE("a decision names a template that place recognition gave") {
   Decision decision;
   decision.experience = 4;

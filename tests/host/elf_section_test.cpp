@@ -9,7 +9,6 @@
 
 using namespace tolman;
 using namespace tolman::host;
-using tolman::test::refusalOf;
 namespace fs = std::filesystem;
 
 namespace {
@@ -27,25 +26,21 @@ fs::path write(const test::TemporaryFolder& folder, const std::string& bytes) {
   return file;
 }
 
-OrRefusal<std::string> read(const fs::path& file) {
-  return readElfSection(file, "tolman_manifest");
-}
+std::string read(const fs::path& file) { return readElfSection(file, "tolman_manifest"); }
 
 }  // namespace
 
 TEST_CASE("the manifest section of a plugin is read without opening it") {
-  const auto section = read(test::fixtureFile("steady"));
-  REQUIRE(std::holds_alternative<std::string>(section));
-  CHECK(std::get<std::string>(section).find("\"id\":\"steady\"") != std::string::npos);
+  CHECK(read(test::fixtureFile("steady")).find("\"id\":\"steady\"") != std::string::npos);
 }
 
 TEST_CASE("files that are no plugin are refused by name") {
   const test::TemporaryFolder folder;
-  CHECK(refusalOf(read(folder.path() / "absent.so")).id == "plugin/unreadable");
-  CHECK(refusalOf(read(folder.path())).id == "plugin/unreadable");
-  CHECK(refusalOf(read(write(folder, ""))).id == "plugin/not-elf");
-  CHECK(refusalOf(read(write(folder, "#!/bin/sh\necho hello\n"))).id == "plugin/not-elf");
-  CHECK(refusalOf(read(test::fixtureFile("no_manifest"))).id == "plugin/no-manifest");
+  CHECK(REFUSAL_OF(read(folder.path() / "absent.so")).id == "plugin/unreadable");
+  CHECK(REFUSAL_OF(read(folder.path())).id == "plugin/unreadable");
+  CHECK(REFUSAL_OF(read(write(folder, ""))).id == "plugin/not-elf");
+  CHECK(REFUSAL_OF(read(write(folder, "#!/bin/sh\necho hello\n"))).id == "plugin/not-elf");
+  CHECK(REFUSAL_OF(read(test::fixtureFile("no_manifest"))).id == "plugin/no-manifest");
 }
 
 TEST_CASE("a library cut off anywhere is refused as truncated") {
@@ -53,17 +48,16 @@ TEST_CASE("a library cut off anywhere is refused as truncated") {
   const std::string whole = contents(test::fixtureFile("steady"));
   for (const double share : {0.01, 0.3, 0.6, 0.99}) {
     const auto length = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
-    const auto result = read(write(folder, whole.substr(0, length)));
-    CHECK(refusalOf(result).id == "plugin/truncated");
+    CHECK(REFUSAL_OF(read(write(folder, whole.substr(0, length)))).id == "plugin/truncated");
   }
-  CHECK(refusalOf(read(write(folder, whole.substr(0, 20)))).id == "plugin/truncated");
+  CHECK(REFUSAL_OF(read(write(folder, whole.substr(0, 20)))).id == "plugin/truncated");
 }
 
 TEST_CASE("a 32-bit or foreign library is refused as the wrong machine") {
   const test::TemporaryFolder folder;
   std::string bytes = contents(test::fixtureFile("steady"));
   bytes[18] = 40;  // e_machine: ARM
-  CHECK(refusalOf(read(write(folder, bytes))).id == "plugin/wrong-machine");
+  CHECK(REFUSAL_OF(read(write(folder, bytes))).id == "plugin/wrong-machine");
 }
 
 TEST_CASE("damaged bytes never crash the reader") {
@@ -78,7 +72,10 @@ TEST_CASE("damaged bytes never crash the reader") {
       const std::size_t where = k % 2 == 0 ? random.below(64) : table + random.below(64 * 40);
       damaged[where] = static_cast<char>(random.bits());
     }
-    (void)readManifests(write(folder, damaged));  // any answer is right, as long as it comes
+    try {  // any answer is right, as long as it comes
+      (void)readManifests(write(folder, damaged));
+    } catch (const Refusal&) {
+    }
   }
   SUCCEED("300 damaged files were answered");
 }

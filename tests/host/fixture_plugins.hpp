@@ -23,32 +23,28 @@ inline std::filesystem::path fixtureFile(const std::string& name) {
 }
 
 /// Reads, gates, opens and describes plugin `id` of fixture library `library`.
-inline host::OrRefusal<host::LoadedPlugin> load(const std::string& library, const std::string& id) {
-  auto manifests = host::readManifests(fixtureFile(library));
-  if (auto* refusal = std::get_if<host::Refusal>(&manifests)) return *refusal;
-  for (const auto& manifest : std::get<std::vector<host::Manifest>>(manifests)) {
-    if (manifest.id == id) {
-      return host::loadPlugin(manifest, host::HostIdentity::ofThisBuild());
-    }
-  }
-  FAIL("no plugin " << id << " in " << library);
-  return host::Refusal{};
+inline host::LoadedPlugin load(const std::string& library, const std::string& id) {
+  const host::Manifest manifest = host::readManifest(fixtureFile(library), id);
+  return host::loadPlugin(manifest, host::HostIdentity::ofThisBuild());
 }
 
 /// The object of plugin `id`, behind its guard.
 inline std::unique_ptr<host::Instance> fixtureInstance(const std::string& library,
                                                        const std::string& id) {
-  const auto loaded = load(library, id);
-  if (const auto* refusal = std::get_if<host::Refusal>(&loaded)) FAIL(refusal->text());
-  auto created = host::Instance::create(std::get<host::LoadedPlugin>(loaded), id);
-  REQUIRE(std::holds_alternative<std::unique_ptr<host::Instance>>(created));
-  return std::get<std::unique_ptr<host::Instance>>(std::move(created));
+  return host::Instance::create(load(library, id), id);
 }
 
-template <class T>
-const host::Refusal& refusalOf(const host::OrRefusal<T>& result) {
-  REQUIRE(std::holds_alternative<host::Refusal>(result));
-  return std::get<host::Refusal>(result);
+/// The refusal that `work` throws.
+template <class Work>
+host::Refusal refusalOf(const Work& work) {
+  try {
+    work();
+  } catch (const host::Refusal& refusal) {
+    return refusal;
+  }
+  FAIL("nothing was refused");
+  return {};
 }
+#define REFUSAL_OF(...) tolman::test::refusalOf([&] { (void)(__VA_ARGS__); })
 
 }  // namespace tolman::test

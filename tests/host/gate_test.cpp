@@ -5,7 +5,6 @@
 using namespace tolman;
 using namespace tolman::host;
 using tolman::test::load;
-using tolman::test::refusalOf;
 
 namespace {
 
@@ -70,8 +69,8 @@ TEST_CASE("the gate's refusals are golden") {
 }
 
 TEST_CASE("real libraries are stopped at the gate before any of their code runs") {
-  CHECK(refusalOf(load("wrong_major", "wrong_major")).id == "plugin/sdk-major");
-  CHECK(refusalOf(load("newer_minor", "newer_minor")).id == "plugin/sdk-minor");
+  CHECK(REFUSAL_OF(load("wrong_major", "wrong_major")).id == "plugin/sdk-major");
+  CHECK(REFUSAL_OF(load("newer_minor", "newer_minor")).id == "plugin/sdk-minor");
 }
 
 TEST_CASE("the same source built with -mavx2 is refused by its fingerprint") {
@@ -79,5 +78,5 @@ TEST_CASE("the same source built with -mavx2 is refused by its fingerprint") {
     WARN("SKIPPED: this host is itself built for AVX");
     return;
   }
-  CHECK(refusalOf(load("avx2", "steady")).id == "plugin/fingerprint");
+  CHECK(REFUSAL_OF(load("avx2", "steady")).id == "plugin/fingerprint");
 }

@@ -54,11 +54,3 @@ TEST_CASE("the last frame is known") {
   times.add(frameAt(3), true);
   CHECK(times.lastFrame() == 3);
 }
-
-TEST_CASE("frames that were left out are known") {
-  MotionTimes times;
-  CHECK(times.wasGiven(7));  // nothing is known yet
-  for (const std::int64_t frame : {5, 6, 9, 10, 20}) times.add(frameAt(frame), true);
-  for (const std::int64_t frame : {5, 6, 9, 10, 20}) CHECK(times.wasGiven(frame));
-  for (const std::int64_t frame : {7, 8, 11, 19}) CHECK_FALSE(times.wasGiven(frame));
-}

@@ -68,8 +68,7 @@ TEST_CASE("the source that gives impossible cameras is named") {
   host::LoadedPlugin loaded;
   loaded.manifest.id = "backward";
   loaded.descriptor = &kDescriptor;
-  host::SourceStage source(
-      std::get<std::unique_ptr<host::Instance>>(host::Instance::create(loaded, "source")));
+  host::SourceStage source(host::Instance::create(loaded, "source"));
   SourceInfo info;
   const Status status = source.info(info);
   CHECK(refuses(status,

@@ -72,15 +72,14 @@ class Filler {
 
 template <class T>
 std::string bytesOf(const T& value) {
-  SharedBuffer buffer("test");
-  Encoder encoder(buffer);
+  Encoder encoder;
   encoder.put(value);
-  return {reinterpret_cast<const char*>(buffer.view(encoder.size())), encoder.size()};
+  return encoder.take();
 }
 
 template <class T>
 T fromBytes(const std::string& bytes) {
-  Decoder decoder(reinterpret_cast<const std::byte*>(bytes.data()), bytes.size());
+  Decoder decoder(bytes);
   T value = decoder.next<T>();
   CHECK(decoder.remaining() == 0);
   return value;
@@ -105,7 +104,7 @@ void checkDamage() {
   Filler(11).fill(value);
   const std::string bytes = bytesOf(value);
   const auto read = [](const std::string& damaged) {
-    Decoder decoder(reinterpret_cast<const std::byte*>(damaged.data()), damaged.size());
+    Decoder decoder(damaged);
     return decoder.next<T>();
   };
   for (std::size_t size = 0; size < bytes.size(); ++size) {

@@ -10,8 +10,6 @@
 
 namespace tolman::recorded_answers {
 
-using record::BadRow;
-
 namespace {
 
 /// run.json there; no object where it is missing or damaged.
@@ -37,7 +35,7 @@ std::int64_t framesOf(const record::Database& database) {
   record::Statement sessions(database, "SELECT count(*) FROM \"session\"");
   sessions.step();
   if (row.next().getInt64() == count - 1 && sessions.next().getInt64() <= 1) return count;
-  throw BadRow("a run that dropped frames or continued a map has no replay");
+  throw std::domain_error("a run that dropped frames or continued a map has no replay");
 }
 
 }  // namespace
@@ -69,15 +67,15 @@ void RecordedAnswers::readRun(const std::string& run) {
   const nlohmann::json json = runFile(run);
   const std::string status = json.is_object() ? json.value("status", "") : "";
   if (status == "running") {
-    throw BadRow("the run has not ended: `tolman run --resume` goes on with it");
+    throw std::domain_error("the run has not ended: `tolman run --resume` goes on with it");
   }
   {
     const record::Database database = record::openDatabase(file_, record::Access::ReadOnly);
     if (!database.tableExists(record::ExactPoses::kRecord)) {
-      throw BadRow("has no exact poses; record the run with `record.replay: true`");
+      throw std::domain_error("has no exact poses; record the run with `record.replay: true`");
     }
     if (record::entryOf(database, "schema_version") != std::to_string(record::kSchemaVersion)) {
-      throw BadRow("was written by a version with other records; record the run again");
+      throw std::domain_error("was written by a version with other records; record the run again");
     }
   }
   const Tables& tables = tables_.emplace(file_);
@@ -112,7 +110,8 @@ Status RecordedAnswers::readRow(record::RowsOf<R> Tables::*rows, std::int64_t fr
     tables_->exact.each([&](const record::ExactPoses& row) { record::restorePoses(row, answer); },
                         frame, std::string(R::kRecord));
     if (!found)
-      throw BadRow("has no " + std::string(R::kRecord) + " of frame " + std::to_string(frame));
+      throw std::domain_error("has no " + std::string(R::kRecord) + " of frame " +
+                              std::to_string(frame));
   });
 }
 

@@ -2,10 +2,6 @@
 #include "base/text_encoding.hpp"
 
 #include <catch2/catch.hpp>
-#include <fstream>
-
-#include "support/data.hpp"
-#include "support/few_descriptors.hpp"
 
 namespace tolman::text_encoding {
 namespace {
@@ -60,23 +56,6 @@ TEST_CASE("zero bytes are told by their line; a hole of them is no encoding") {
   CHECK(encodingProblem(std::string(4096, '\0')).starts_with("has a zero byte in line 1"));
   CHECK(encodingProblem(kText + std::string(4096, '\0')).starts_with("has a zero byte in line 3"));
   CHECK(encodingProblem(std::string(1, '\0')).starts_with("has a zero byte in line 1"));
-}
-
-TEST_CASE("the problem of a file; a folder and what is missing have none") {
-  const test::TemporaryFolder folder;
-  std::ofstream(folder.path() / "a.txt", std::ios::binary) << widened(kText, 2, false);
-  CHECK(encodingProblemOf(folder.path() / "a.txt") == "is UTF-16; save it as UTF-8");
-  CHECK(encodingProblemOf(folder.path()).empty());
-  CHECK(encodingProblemOf(folder.path() / "none").empty());
-}
-
-TEST_CASE("a file that cannot be opened for want of descriptors is told as such") {
-  const test::TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / "a.txt";
-  std::ofstream(file) << kText;
-  CHECK(encodingProblemOf(file).empty());
-  const test::FewDescriptors none(0);
-  CHECK(encodingProblemOf(file) == "cannot be opened; allow more open files (`ulimit -n`)");
 }
 
 }  // namespace tolman::text_encoding
