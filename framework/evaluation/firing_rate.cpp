@@ -104,6 +104,30 @@ RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side) {
   return map;
 }
 
+RateMap smoothed(const RateMap& map, double sigma) {
+  const auto reach = static_cast<Eigen::Index>(std::ceil(3 * sigma));
+  const auto along = [&](const Eigen::MatrixXd& values) {  // sums over the columns' neighbours
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(values.rows(), values.cols());
+    for (Eigen::Index d = -reach; d <= reach; ++d) {
+      const Eigen::Index count = values.cols() - std::abs(d);
+      if (count <= 0) continue;
+      const double weight = std::exp(-0.5 * static_cast<double>(d * d) / (sigma * sigma));
+      sum.middleCols(std::max<Eigen::Index>(-d, 0), count) +=
+          weight * values.middleCols(std::max<Eigen::Index>(d, 0), count);
+    }
+    return sum;
+  };
+  const auto spread = [&](const Eigen::MatrixXd& values) -> Eigen::MatrixXd {
+    return along(along(values).transpose()).transpose();
+  };
+  const Eigen::ArrayXXd activity = (map.visits.array() > 0).select(map.rate.array(), 0);
+  RateMap result = map;
+  const Eigen::ArrayXXd time = spread(map.visits).array();
+  result.rate = (map.visits.array() > 0)
+                    .select(spread(activity * map.visits.array()).array() / time, map.rate.array());
+  return result;
+}
+
 double highestRate(const RateMap& map) {
   double highest = 0;
   for (const double rate : map.rate.reshaped())

@@ -22,7 +22,7 @@ struct Sample {
   double speed = 0;    ///< m/s
 };
 
-/// Mean rate in square bins of the plane, over time. Without smoothing.
+/// Mean rate in square bins of the plane, over time.
 struct RateMap {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< m, of bin (0, 0)
   double bin = 1;                                    ///< m
@@ -30,6 +30,10 @@ struct RateMap {
   Eigen::MatrixXd visits;  ///< s
 };
 RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side);
+/// Activity and time, both smoothed by a Gaussian of `sigma` bins and then divided (Hafting et al.,
+/// "Microstructure of a spatial map in the entorhinal cortex", Nature 436, 2005). `visits` stay as
+/// they are, and bins without visits have no rate.
+RateMap smoothed(const RateMap& map, double sigma);
 /// The highest rate of all bins; 0 without any.
 double highestRate(const RateMap& map);
 

@@ -47,22 +47,26 @@ Json ringJson(const RingFigures& ring) {
 }
 
 Json sheetJson(const SheetFigures& sheet) {
-  return {{"array", sheet.array},
-          {"units", sheet.units},
-          {"period", sheet.period},
-          {"period_unit", sheet.unit},
-          {"grid_score_square", scoreJson(sheet.scores.square)},
-          {"grid_score_sargolini", scoreJson(sheet.scores.sargolini)},
-          {"grid_score_langston", scoreJson(sheet.scores.langston)},
-          {"spatial_information_bits", scoreJson(sheet.scores.information_bits)},
-          {"spacing_m", scoreJson(sheet.scores.spacing)},
-          {"orientation_deg", scoreJson(sheet.scores.orientation_deg)},
-          {"ellipticity", scoreJson(sheet.scores.ellipticity)},
-          {"sparsity", scoreJson(sheet.scores.sparsity)},
-          {"coherence", scoreJson(sheet.scores.coherence)},
-          {"border_score", scoreJson(sheet.scores.border)},
-          {"speed_score", scoreJson(sheet.scores.speed)},
-          {"rate_map", {{"bin_m", sheet.scores.bin}, {"smoothing_m", 0}}}};
+  return {
+      {"array", sheet.array},
+      {"units", sheet.units},
+      {"period", sheet.period},
+      {"period_unit", sheet.unit},
+      {"grid_score_square", scoreJson(sheet.scores.square)},
+      {"grid_score_sargolini", scoreJson(sheet.scores.sargolini)},
+      {"grid_score_langston", scoreJson(sheet.scores.langston)},
+      {"spatial_information_bits", scoreJson(sheet.scores.information_bits)},
+      {"spacing_m", scoreJson(sheet.scores.spacing)},
+      {"orientation_deg", scoreJson(sheet.scores.orientation_deg)},
+      {"ellipticity", scoreJson(sheet.scores.ellipticity)},
+      {"sparsity", scoreJson(sheet.scores.sparsity)},
+      {"coherence", scoreJson(sheet.scores.coherence)},
+      {"border_score", scoreJson(sheet.scores.border)},
+      {"speed_score", scoreJson(sheet.scores.speed)},
+      {"rate_map",
+       {{"bin_m", sheet.scores.bin},
+        {"smoothing_m", sheet.scores.smoothing},
+        {"smoothed", {"grid_score", "spacing", "orientation", "ellipticity", "border_score"}}}}};
 }
 
 constexpr std::size_t kShuffles = 200;

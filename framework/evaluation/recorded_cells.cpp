@@ -29,6 +29,7 @@ constexpr int kTuningBins = 36;
 constexpr double kBinsOfPeriod = 8;
 constexpr double kMaxBins = 40;
 constexpr double kMaxDrawnBins = 70;
+constexpr double kSmoothing = 1;  // bins, of the maps that lattices and borders are measured on
 
 std::vector<Sample> samplesOf(const RecordedUnits& units, std::size_t unit, std::size_t later) {
   std::vector<Sample> samples = units.walk;
@@ -103,7 +104,7 @@ RateMap firingMap(const RecordedUnits& units, std::size_t unit) {
 }
 
 RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period) {
-  return rateMap(samplesOf(units, unit, 0), scoredBins(units.walk, period));
+  return smoothed(rateMap(samplesOf(units, unit, 0), scoredBins(units.walk, period)), kSmoothing);
 }
 
 std::optional<ErrorFigures> errorFigures(std::vector<double> errors) {
@@ -155,8 +156,9 @@ SheetScores scoreSheet(const RecordedUnits& units, double period, const Shufflin
   const int bins = scoredBins(units.walk, period);
   auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
     const RateMap map = rateMap(samples, bins);
-    return SheetUnit{gridScores(map), spatialInformation(map), sparsity(map),
-                     coherence(map),  borderScore(map),        speedScore(samples)};
+    const RateMap smooth = smoothed(map, kSmoothing);
+    return SheetUnit{gridScores(smooth), spatialInformation(map), sparsity(map),
+                     coherence(map),     borderScore(smooth),     speedScore(samples)};
   });
   for (std::size_t i = 0; i < units.rates.size(); ++i) {
     measured.units[i].fields = fields(firingMap(units, i)).size();
@@ -185,6 +187,7 @@ SheetScores scoreSheet(const RecordedUnits& units, double period, const Shufflin
   scores.border = other(&SheetUnit::border);
   scores.speed = other(&SheetUnit::speed);
   scores.bin = rateMap(units.walk, bins).bin;
+  scores.smoothing = kSmoothing * scores.bin;
   scores.units = std::move(measured.units);
   return scores;
 }

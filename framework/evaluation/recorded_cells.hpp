@@ -55,8 +55,8 @@ struct RecordedUnits {
 /// times as wide as the mean step of the walk; in narrower ones each visit would be a field of its
 /// own.
 RateMap firingMap(const RecordedUnits& units, std::size_t unit);
-/// The rate map for grid scores, of at most 40 bins a side: a field, half a period wide, spans at
-/// most four bins. `period`: of the units, m; 0: not known.
+/// The smoothed rate map for grid scores, of at most 40 bins a side: a field, half a period wide,
+/// spans at most four bins. `period`: of the units, m; 0: not known.
 RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period);
 
 /// Circular shifts in time pair each place with the activity of another time, which gives the score
@@ -88,7 +88,8 @@ struct SheetScores {
   std::optional<UnitScore> square, sargolini, langston, information_bits;
   std::optional<UnitScore> spacing, orientation_deg, ellipticity;
   std::optional<UnitScore> sparsity, coherence, border, speed;
-  double bin = 0;  ///< m, of the rate maps
+  double bin = 0;        ///< m, of the rate maps
+  double smoothing = 0;  ///< m, Gaussian; for scores of lattice and border alone
   std::vector<SheetUnit> units;
 };
 /// The regular lattice that the units fit best, by the medians of the scores.

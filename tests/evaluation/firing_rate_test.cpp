@@ -75,6 +75,44 @@ TEST_CASE("bins have the mean rate of their visits; unvisited bins have none") {
   CHECK(std::isnan(map.rate(5, 5)));
 }
 
+TEST_CASE(
+    "a smoothed Gaussian field is as wide as both Gaussians together, and time is unchanged") {
+  const double field = 2;  // bins
+  const double kernel = 1.5;
+  RateMap map;
+  map.rate.resize(41, 41);
+  map.visits = Eigen::MatrixXd::Constant(41, 41, 3);
+  for (Eigen::Index i = 0; i < 41; ++i) {
+    for (Eigen::Index j = 0; j < 41; ++j) {
+      const auto square = static_cast<double>((i - 20) * (i - 20) + (j - 20) * (j - 20));
+      map.rate(i, j) = std::exp(-0.5 * square / (field * field));
+    }
+  }
+  const RateMap wide = smoothed(map, kernel);
+  const double both = field * field + kernel * kernel;
+  CHECK(wide.visits == map.visits);
+  for (const Eigen::Index away : {0, 2, 4, 6}) {
+    const double expected =
+        field * field / both * std::exp(-0.5 * static_cast<double>(away * away) / both);
+    CHECK_THAT(wide.rate(20 + away, 20), Catch::Matchers::WithinRel(expected, 0.02));
+    CHECK_THAT(wide.rate(20, 20 - away), Catch::Matchers::WithinRel(expected, 0.02));
+  }
+}
+
+TEST_CASE("smoothing weighs rates by time, and bins without visits stay without a rate") {
+  RateMap map;
+  map.rate = Eigen::MatrixXd::Constant(3, 1, std::numeric_limits<double>::quiet_NaN());
+  map.visits = Eigen::MatrixXd::Zero(3, 1);
+  map.rate(0, 0) = 4;
+  map.visits(0, 0) = 1;
+  map.rate(1, 0) = 1;
+  map.visits(1, 0) = 3;
+  const RateMap wide = smoothed(map, 1);
+  const double near = std::exp(-0.5);
+  CHECK_THAT(wide.rate(0, 0), Catch::Matchers::WithinRel((4 + 3 * near) / (1 + 3 * near), 1e-12));
+  CHECK(std::isnan(wide.rate(2, 0)));
+}
+
 TEST_CASE("the mean vector of 1 + cos is one half, towards the crest") {
   const TuningCurve curve = tuningCurve(turn([](double h) { return 1 + std::cos(h - 1); }), 36);
   CHECK(curve.mean_vector_length == Approx(0.5).epsilon(0.01));
