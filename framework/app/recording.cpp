@@ -101,6 +101,8 @@ SourceValues timesIn(const fs::path& file) {
   }
   const auto& [names, first, second] = lines;
   const SourceValues values = {{"stamps", config::writeText(file.filename().string())}};
+  // NUMBER TIME EXPOSURE, as TUM's monocular sets have it: seconds.
+  if (first.size() == 3 && parseNumber(names[0]) && parseNumber(names[1])) return values;
   for (std::size_t i = 0; i < std::min({names.size(), first.size(), second.size()}); ++i) {
     const bool is_list = i == 0 && names.size() == 1 && parseNumber(names[0]);
     const bool is_column = fits("*time*", names[i]) || fits("*stamp*", names[i]);
@@ -151,6 +153,8 @@ class Search {
     }
     if (!reason.isOk()) return reason;
     if (best_.width > 0 && !best_.calibrated && may("calibration")) tryCalibrations();
+    const bool has_response = fs::exists(path_ / "pcalib.txt", error_);
+    if (has_response && may("response")) take({{"response", "pcalib.txt"}}, "pcalib.txt");
     const bool has_times = best_.isGiven("rate") || best_.isGiven("stamps_in_names");
     if (!has_times && may("stamps")) tryStamps();
     noteRate();
@@ -343,6 +347,7 @@ class Search {
   const host::LoadedPlugin& plugin_;
   SourceValues given_;
   const Invocation& invocation_;
+  std::error_code error_;
   Names folders_;  ///< with images, below the recording
   Recording best_;
 };

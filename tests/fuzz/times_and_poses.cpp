@@ -18,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* column : {"", "time"}) {
     tryRead([&] {
       for (const std::int64_t ns :
-           image_folders::readTimes(file.path(), column, image_folders::TimeUnit::Seconds)) {
+           image_folders::readTimes(file.path(), column, image_folders::TimeUnit::Seconds)
+               .stamps_ns) {
         fuzz::require(ns >= 0, "a time before 0");
       }
     });

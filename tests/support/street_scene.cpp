@@ -124,6 +124,40 @@ Frame again(const Frame& frame, std::int64_t index) {
   return copy;
 }
 
+Frame withPassersBy(const Frame& frame, std::int64_t index) {
+  constexpr double kBaseline = 0.5;
+  constexpr double kFocal = 300;
+  const auto show = [&](const Image& image, std::int64_t camera) {
+    return Image::create(image.width(), image.height(), PixelFormat::Gray8, [&](std::uint8_t* out) {
+      for (int v = 0; v < image.height(); ++v) {
+        for (int u = 0; u < image.width(); ++u) {
+          double grey = image.row(v)[u];
+          for (int person = 2; person >= 0; --person) {  // the nearest last
+            const double depth = 3 + person;
+            const double side = person == 1 ? -1 : 1;
+            const double walked = 0.12 * static_cast<double>(index) * side + 2.5 * person;
+            const double x = std::fmod(std::fmod(walked, 10) + 10, 10) - 5;
+            const double along =
+                u - 240 - kFocal * (x - kBaseline * static_cast<double>(camera)) / depth;
+            const double across = v - 60;
+            const bool covers = std::fabs(along) < 75 / depth && across > 0 && across < 480 / depth;
+            if (covers) grey = 60 + 100 * noise(along / 12 + 50, across / 12, 7 + person);
+          }
+          const auto pixel = std::int64_t{v} * image.width() + u;
+          double jitter = -2;  // of four uniform numbers: standard deviation 0.58
+          for (std::int64_t k = 0; k < 4; ++k) jitter += lattice(pixel, 4 * index + k, 20 + camera);
+          *out++ =
+              static_cast<std::uint8_t>(std::clamp(std::lround(grey + 2.6 * jitter), 0L, 255L));
+        }
+      }
+    });
+  };
+  Frame busy = again(frame, index);
+  busy.left = show(frame.left, 0);
+  busy.right = show(frame.right, 1);
+  return busy;
+}
+
 Image changed(const Image& image, double gain, double offset) {
   return Image::create(image.width(), image.height(), PixelFormat::Gray8, [&](std::uint8_t* data) {
     for (int v = 0; v < image.height(); ++v) {

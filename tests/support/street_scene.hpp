@@ -19,6 +19,9 @@ NamedArray streetDepth(const Eigen::Isometry3d& T_world_camera);
 /// The frame, as the one of another index at 10 Hz.
 Frame again(const Frame& frame, std::int64_t index);
 
+/// The frame with new noise (1.5 grey levels) and three people who walk past, 3 to 5 m away.
+Frame withPassersBy(const Frame& frame, std::int64_t index);
+
 /// An image of one grey level, of the street's size.
 Image filled(int grey);
 

@@ -10,6 +10,7 @@
 #include "feature_guess.hpp"
 #include "lost_motion.hpp"
 #include "odometry_input.hpp"
+#include "standing.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -307,6 +308,9 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
   } else {
     mapper_.observe(T_world_camera, brightness_, current_);
     if (mapper_.isDraft()) can_track_ = tracker_.setReference(rig_, mapper_.window());
+  }
+  if (first_lost_ < 0 && !mapper_.isDraft()) {
+    T_world_final = heldWhileStanding(history_.lastPose(), T_world_final, motion.covariance);
   }
   // After a gap the reported motion also corrects the error of the predicted motions.
   const Eigen::Isometry3d step = history_.lastPose().inverse() * T_world_final;

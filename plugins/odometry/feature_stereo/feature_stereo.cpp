@@ -8,6 +8,7 @@
 
 #include "lost_motion.hpp"
 #include "odometry_input.hpp"
+#include "standing.hpp"
 #include "stereo_matching.hpp"
 #include "tolman/image_cv.hpp"
 
@@ -315,7 +316,10 @@ void FeatureOdometry::answerMeasured(const Views& views, Tracked&& tracked, Moti
   motion.revisions.insert(motion.revisions.end(), changed.begin(), changed.end());
   motion.state = TrackingState::Tracking;
   motion.covariance = tracked.pose.covariance;
-  motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
+  const Eigen::Isometry3d T_world_reported =
+      first_lost_ >= 0 ? T_world_camera
+                       : heldWhileStanding(history_.lastPose(), T_world_camera, motion.covariance);
+  motion.T_previous_current = remember(T_world_reported, window_.keyframes().back(), motion);
   if (motion.dt > 0) velocity_ = logSe3(motion.T_previous_current) / motion.dt;
   keepImage(T_world_camera);
   if (first_lost_ >= 0) log_->info("tracking again");

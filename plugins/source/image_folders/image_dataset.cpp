@@ -97,8 +97,9 @@ std::vector<std::int64_t> uniformStamps(std::size_t count, double rate) {
   return stamps;
 }
 
-void setStamps(const fs::path& file, std::vector<std::int64_t> stamps_ns, ImageDataset& dataset,
+void setStamps(const fs::path& file, ImageTimes times, ImageDataset& dataset,
                FindingCollector& findings) {
+  auto& [stamps_ns, exposure_ms] = times;
   const std::size_t images = dataset.left.size();
   const std::size_t common = std::min(images, stamps_ns.size());
   if (stamps_ns.size() != images) {
@@ -110,7 +111,9 @@ void setStamps(const fs::path& file, std::vector<std::int64_t> stamps_ns, ImageD
   stamps_ns.resize(common);
   dataset.left.resize(common);
   if (!dataset.right.empty()) dataset.right.resize(common);
+  if (!exposure_ms.empty()) exposure_ms.resize(common);
   dataset.stamps_ns = std::move(stamps_ns);
+  dataset.exposure_ms = std::move(exposure_ms);
   dataset.stamps_file = file;
 }
 
@@ -141,6 +144,7 @@ void keepFrames(const std::vector<bool>& keep, ImageDataset& dataset) {
   filter(dataset.stamps_ns);
   filter(dataset.T_world_left);
   filter(dataset.depth);
+  filter(dataset.exposure_ms);
 }
 
 void leaveOutUnusable(ImageDataset& dataset, FindingCollector& findings) {
@@ -187,6 +191,7 @@ std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames) {
 namespace {
 
 constexpr const char* kDepth = "depth.left";
+constexpr const char* kExposure = "exposure.left";
 
 std::string pixelsText(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height) + " pixels";
@@ -225,6 +230,13 @@ Status FolderSource::rawRig(RawRig& rig) {
 }
 
 Status FolderSource::describe(std::vector<ArrayInfo>& arrays) const {
+  if (!dataset_.exposure_ms.empty()) {
+    ArrayInfo& exposure = arrays.emplace_back();
+    exposure.name = kExposure;
+    exposure.unit = "ms";
+    exposure.doc = "exposure time of the image";
+    exposure.axes.resize(1);
+  }
   if (dataset_.depth.empty()) return Status::ok();
   ArrayInfo& depth = arrays.emplace_back();
   depth.name = kDepth;
@@ -280,17 +292,22 @@ Status FolderSource::readFrame(std::size_t index, Frame& frame) {
     frame.defect = defect;
     return Status::ok();
   };
+  frame.sensors.clear();
+  if (!dataset_.exposure_ms.empty()) {
+    frame.sensors.push_back({kExposure, {1}, {dataset_.exposure_ms[index]}});
+  }
   if (!dataset_.depth.empty()) {
     const auto pixels = static_cast<std::size_t>(dataset_.rig.width) *
                         static_cast<std::size_t>(dataset_.rig.height);
-    frame.sensors = {
-        {kDepth, {dataset_.rig.height, dataset_.rig.width}, std::vector<float>(pixels)}};
-    const Status status = readDepth(dataset_.depth[index], frame.sensors.front());
+    frame.sensors.push_back(
+        {kDepth, {dataset_.rig.height, dataset_.rig.width}, std::vector<float>(pixels)});
+    const Status status = readDepth(dataset_.depth[index], frame.sensors.back());
     if (!status.isOk()) return leaveOut(dataset_.depth[index], status);
   }
   Result<Image> left = readImage(dataset_.left[index]);
   if (!left.isOk()) return leaveOut(dataset_.left[index], left.status());
   frame.left = std::move(left).value();
+  if (dataset_.photometric.isNeeded()) frame.left = dataset_.photometric.apply(frame.left);
   if (dataset_.right.empty()) return Status::ok();
   Result<Image> right = readImage(dataset_.right[index]);
   if (!right.isOk()) return leaveOut(dataset_.right[index], right.status());

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "camera_files.hpp"
+#include "photometric.hpp"
+#include "times_and_poses.hpp"
 #include "tolman/camera.hpp"
 #include "tolman/context.hpp"
 #include "tolman/extras.hpp"
@@ -31,6 +33,8 @@ struct ImageDataset {
   std::vector<Eigen::Isometry3d> T_world_left;  ///< truth, of the left camera; or empty
   std::vector<std::filesystem::path> depth;     ///< of the left camera, 16 bits; or empty
   double depth_per_m = 0;                       ///< values of a depth image per metre
+  std::vector<float> exposure_ms;               ///< of the left camera; or empty
+  PhotometricCalibration photometric;           ///< of the left camera
   CameraRig rig;
   RawRig raw;  ///< for unrectified images; otherwise without cameras
 
@@ -51,10 +55,10 @@ void setImageSize(ImageDataset& dataset);
 /// Stamps of a camera with `rate` images a second.
 std::vector<std::int64_t> uniformStamps(std::size_t count, double rate);
 
-/// Sets the stamps of all images, read from `file`. Another count than that of the images is an
-/// error in `findings`, and what is beyond the shorter list is left out.
-void setStamps(const std::filesystem::path& file, std::vector<std::int64_t> stamps_ns,
-               ImageDataset& dataset, FindingCollector& findings);
+/// Sets stamps and exposures of all images, read from `file`. Another count than that of the images
+/// is an error in `findings`, and what is beyond the shorter list is left out.
+void setStamps(const std::filesystem::path& file, ImageTimes times, ImageDataset& dataset,
+               FindingCollector& findings);
 
 /// For each time the index of the nearest of `others`, at most `apart_ns` away, otherwise -1. Both
 /// lists must increase. For sensors that are exposed at different times.

@@ -33,6 +33,8 @@ void checkCombination(const P& p) {
            "calibration_right is given without calibration; name both");
   refuseIf(p.stamps_in_names && (!p.stamps.empty() || !p.list.empty()),
            "stamps_in_names is given with stamps or list; keep one");
+  refuseIf(!p.response.empty() && !p.right.empty(),
+           "response is given for two cameras, but is of one; leave it out, or give one camera");
   refuseIf(!p.stamps_column.empty() && p.stamps.empty(),
            "stamps_column is given without stamps; name the file");
 }
@@ -69,6 +71,9 @@ void read(const P& p, ImageDataset& dataset, FindingCollector& findings) {
   if (!p.right.empty()) findPartners(root / p.right, dataset, findings);
   setImageSize(dataset);
   readRig(p, dataset);
+  if (!p.response.empty()) {
+    dataset.photometric = {root / p.response, dataset.rig.width, dataset.rig.height};
+  }
   if (p.stamps_in_names) return;
   if (p.stamps.empty()) {
     dataset.stamps_ns = uniformStamps(dataset.left.size(), p.rate);

@@ -35,7 +35,7 @@ bool isThere(const fs::path& file) {
 
 std::vector<std::int64_t> readStamps(const KittiParameters& p, const fs::path& file,
                                      std::size_t images) {
-  if (isThere(file)) return readTimes(file, "", TimeUnit::Seconds);
+  if (isThere(file)) return readTimes(file, "", TimeUnit::Seconds).stamps_ns;
   if (p.rate > 0) return uniformStamps(images, p.rate);
   throw DataError(file, "is missing; restore it, or set rate to the frames a second");
 }
@@ -92,7 +92,7 @@ void read(const KittiParameters& p, ImageDataset& dataset, FindingCollector& fin
   const auto calibration = camera_files::readRectified(root / "calib.txt", dataset.wanted(left));
   dataset.rig = calibration.rig;
   const fs::path times = root / "times.txt";
-  setStamps(times, readStamps(p, times, dataset.left.size()), dataset, findings);
+  setStamps(times, {readStamps(p, times, dataset.left.size()), {}}, dataset, findings);
   const fs::path poses = posesFile(p);
   if (!poses.empty()) readTruth(poses, calibration.t_left_camera0, dataset, findings);
 }

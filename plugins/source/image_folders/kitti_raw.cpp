@@ -42,7 +42,7 @@ void read(const KittiRawParameters& p, ImageDataset& dataset, FindingCollector& 
   setImageSize(dataset);
   const fs::path times = folder / "timestamps.txt";
   if (fs::exists(times, ignored) || p.rate == 0) {
-    setStamps(times, readDates(times), dataset, findings);
+    setStamps(times, {readDates(times), {}}, dataset, findings);
   } else {
     dataset.stamps_ns = uniformStamps(dataset.left.size(), p.rate);
   }

@@ -126,6 +126,7 @@ struct ImagesParameters : FolderParameters, source_parameters::GivenPinhole {
   std::string stamps_column;
   TimeUnit stamps_unit = TimeUnit::Seconds;
   bool stamps_in_names = false;
+  std::string response;
 
   static constexpr auto declaration() {
     using P = ImagesParameters;
@@ -145,7 +146,8 @@ struct ImagesParameters : FolderParameters, source_parameters::GivenPinhole {
                      "numbers in their names."),
             parameter("calibration", &P::calibration)
                 .doc("Calibration: KITTI's P0, P1 for rectified images; for raw ones Kalibr, "
-                     "OpenCV, ROS, EuRoC or KITTI raw. Empty: pinhole and baseline."),
+                     "OpenCV, ROS, EuRoC, KITTI raw or TUM's camera.txt. Empty: pinhole and "
+                     "baseline."),
             parameter("calibration_right", &P::calibration_right)
                 .doc("Second file where calibration has one camera, or no poses (OpenCV's "
                      "extrinsics).")),
@@ -161,7 +163,10 @@ struct ImagesParameters : FolderParameters, source_parameters::GivenPinhole {
                 .doc("Name of the table's column that holds the times."),
             parameter("stamps_unit", &P::stamps_unit).doc("Unit of the times."),
             parameter("stamps_in_names", &P::stamps_in_names)
-                .doc("The names of the left images are their times, by which they are sorted.")),
+                .doc("The names of the left images are their times, by which they are sorted."),
+            parameter("response", &P::response)
+                .doc("Inverse response of a single camera, as pcalib.txt of TUM's monocular sets; "
+                     "vignette.png beside it is used too.")),
         folderParameters<P>());
   }
 };

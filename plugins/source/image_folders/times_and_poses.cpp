@@ -37,6 +37,10 @@ std::int64_t timeOf(const fs::path& file, int line, std::string_view field, Time
                       " from 0; correct it, or set stamps_unit (of `images`)");
 }
 
+bool isCount(std::string_view field) {
+  return field.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// `count` numbers of the fields from `first` on.
 std::vector<double> numbersOf(const fs::path& file, const TextLine& line, const Fields& fields,
                               std::size_t first, std::size_t count) {
@@ -51,8 +55,7 @@ std::vector<double> numbersOf(const fs::path& file, const TextLine& line, const 
     if (!number) {
       throw DataError(file, line.number,
                       inQuotes(fields[i]) + " " +
-                          std::string(text_encoding::numberProblem(fields[i])) +
-                          "; correct the pose");
+                          std::string(text_encoding::numberProblem(fields[i])) + "; correct the pose");
     }
     numbers.push_back(*number);
   }
@@ -126,10 +129,10 @@ Eigen::Isometry3d tumPose(const fs::path& file, const TextLine& line, const Fiel
 
 }  // namespace
 
-std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& column,
-                                    TimeUnit unit) {
+ImageTimes readTimes(const fs::path& file, const std::string& column, TimeUnit unit) {
   std::vector<TextLine> lines = linesOf(file);
   std::size_t index = 0;
+  std::size_t columns = 0;  // 0: any number of them
   if (!column.empty()) {
     const Fields names = text_encoding::splitFields(lines.front().text);
     index = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
@@ -138,17 +141,29 @@ std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& col
                       "names no column " + inQuotes(column) + "; correct stamps_column");
     }
     lines.erase(lines.begin());
+  } else {
+    const Fields first = text_encoding::splitFields(lines.front().text);
+    const bool exposed = first.size() == 3 && isCount(first[0]);
+    columns = exposed ? 3 : 1;
+    index = exposed ? 1 : 0;
   }
-  std::vector<std::int64_t> times;
+  ImageTimes times;
   for (const TextLine& line : lines) {
     const Fields fields = text_encoding::splitFields(line.text);
-    if (fields.size() <= index || (column.empty() && fields.size() > 1)) {
+    if (fields.size() <= index || (columns > 0 && fields.size() != columns)) {
       throw DataError(file, line.number,
                       "has " + std::to_string(fields.size()) + " columns; " +
                           (column.empty() ? "write one time a line, or set stamps_column"
                                           : "complete the line"));
     }
-    times.push_back(timeOf(file, line.number, fields[index], unit));
+    times.stamps_ns.push_back(timeOf(file, line.number, fields[index], unit));
+    if (columns != 3) continue;
+    const auto exposure_ms = text_encoding::parseNumber(fields[2]);
+    if (!exposure_ms) {
+      throw DataError(file, line.number,
+                      inQuotes(fields[2]) + " is no exposure time in ms; correct it");
+    }
+    times.exposure_ms.push_back(static_cast<float>(*exposure_ms));
   }
   return times;
 }

@@ -21,9 +21,14 @@ enum class TimeUnit : std::uint8_t { Seconds, Milliseconds, Microseconds, Nanose
 inline constexpr std::array<std::string_view, 4> kTimeUnitNames = {"s", "ms", "us", "ns"};
 constexpr std::span<const std::string_view> enumNames(TimeUnit) { return kTimeUnitNames; }
 
-/// `column` is a name in the first line of a table, or empty for a file with one time per line.
-std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std::string& column,
-                                    TimeUnit unit);
+struct ImageTimes {
+  std::vector<std::int64_t> stamps_ns;
+  std::vector<float> exposure_ms;  ///< one for each image, or none
+};
+
+/// `column` is a name in the first line of a table; empty for a file with one time per line, or
+/// with "NUMBER TIME EXPOSURE" per line, as TUM's monocular sets have it (exposure in ms).
+ImageTimes readTimes(const std::filesystem::path& file, const std::string& column, TimeUnit unit);
 
 /// timestamps.txt of KITTI's raw data, "2011-09-26 13:02:25.964389445" per line, as ns since 1970.
 std::vector<std::int64_t> readDates(const std::filesystem::path& file);

@@ -76,6 +76,10 @@ FileCameras camerasIn(const Node& tree);
 /// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it. Throws FileError.
 FileCameras kittiRawCameras(std::string_view text, int left);
 
+/// camera.txt of TUM's monocular sets and of DSO. Throws FileError.
+FileCameras lineCameras(std::string_view text);
+bool isLineCalibration(std::string_view text);
+
 /// P<left> and, for a pair, P<left + 1> of KITTI's calib.txt. Throws FileError.
 std::vector<Projection> kittiProjections(std::string_view text, int left, bool stereo);
 

@@ -26,6 +26,7 @@ FileCameras readFile(const fs::path& file, const WantedCameras& wanted) {
   const std::string text = textOf(file);
   try {
     if (isKittiRaw(text)) return kittiRawCameras(text, wanted.kitti_left);
+    if (isLineCalibration(text)) return lineCameras(text);
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string::npos) throw FileError(0, "is empty; restore it");
     return camerasIn(text[begin] == '<' ? parseXml(text) : parseYaml(text));
@@ -164,7 +165,7 @@ bool isRawCalibration(const fs::path& file) {
     return true;
   }
   const Result<std::string> text = text_encoding::readText(file);
-  return text.isOk() && isKittiRaw(text.value());
+  return text.isOk() && (isKittiRaw(text.value()) || isLineCalibration(text.value()));
 }
 
 }  // namespace tolman::camera_files

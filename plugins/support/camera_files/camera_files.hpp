@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads calibrations. Of raw cameras: Kalibr (camchain.yaml), OpenCV (cv::FileStorage as YAML or
 // XML: a single camera, or stereo_calib's intrinsics and extrinsics), ROS (camera_info as YAML),
-// EuRoC (sensor.yaml) and KITTI raw (calib_cam_to_cam.txt). Of rectified ones: KITTI's calib.txt.
+// EuRoC (sensor.yaml), KITTI raw (calib_cam_to_cam.txt), and TUM's monocular sets (camera.txt). Of
+// rectified ones: KITTI's calib.txt.
 #pragma once
 
 #include <filesystem>

@@ -138,6 +138,31 @@ TEST_CASE("double sphere, extended unified and FOV, as Kalibr and Basalt write t
   CHECK(basalt.cameras[1].T_reference_camera.translation().x() == 0.2);
 }
 
+TEST_CASE("camera.txt of TUM's monocular sets: shares of the image, and models by name") {
+  const Folder folder;
+  const auto camera = [&](const std::string& text) {
+    return rigOf({folder.write("camera.txt", text)}, {1, 1280, 1024}).cameras[0];
+  };
+  const RawCamera fov = camera("0.35 0.4375 0.5 0.498046875 0.93\n1280 1024\ncrop\n640 480\n");
+  CHECK(fov.pinhole.cx == 639.5);  // the left edge is at -0.5
+  CHECK(fov.pinhole.cy == 509.5);
+  REQUIRE(fov.model == LensModel::Equidistant);
+  for (double angle = 0.1; angle < 0.8; angle += 0.1) {
+    const double published = std::atan(2 * std::tan(angle) * std::tan(0.93 / 2)) / 0.93;
+    const double s = angle * angle;
+    const auto& k = fov.distortion;
+    const double radius = angle * (1 + s * (k[0] + s * (k[1] + s * (k[2] + s * k[3]))));
+    CHECK(fov.pinhole.fx * radius == Approx(448 * published).margin(0.05));
+  }
+  const RawCamera radtan = camera("RadTan 450 451 640 510 -0.2 0.05 0.001 0.002\n1280 1024\n");
+  CHECK(radtan.model == LensModel::RadialTangential);
+  CHECK(radtan.pinhole.fy == 451);
+  CHECK(radtan.distortion[2] == 0.001);
+  CHECK(camera("Pinhole 450 451 640 510 0\n1280 1024\nnone\n1280 1024\n").distortion.isZero());
+  CHECK_THROWS_WITH(camera("0.35 0.4375 0.5 0.498 0.93\n640 480\n"),
+                    Catch::Contains("camera.txt:1: is the calibration of images of 640x480"));
+}
+
 TEST_CASE("ROS: a pair prescribes its rectified cameras, a single camera does not") {
   const Folder folder;
   const fs::path left = folder.write("left.yaml", ros("0"));

@@ -84,6 +84,23 @@ void checkSame(const std::vector<Motion>& a, const std::vector<Motion>& b) {
 
 }  // namespace
 
+TEST_CASE("standing while people walk past, the path is a matter of centimetres") {
+  test::Host host(test::streetRig());
+  for (int k = 0; k < 300; ++k) host.track(test::withPassersBy(place(3), k));
+  CHECK(host.length() < 0.05);
+  CHECK(host.trajectory().back().translation().norm() < 0.02);
+}
+
+TEST_CASE("a creeping camera is late at no place for long") {
+  test::Host host(test::streetRig());
+  constexpr double kStep = 0.0005;  // m
+  for (int k = 0; k < 120; ++k) {
+    const Eigen::Isometry3d pose(Eigen::Translation3d(0, 0, kStep * k));
+    host.track(test::streetFrame(k, pose));
+    CHECK(std::fabs(host.trajectory().back().translation().z() - kStep * k) < 0.015);
+  }
+}
+
 TEST_CASE("a drive along a curve is measured; v is negative when reversing") {
   const bool backwards = GENERATE(false, true);
   test::Host host(test::streetRig());

@@ -108,6 +108,23 @@ TEST_CASE("a camera at rest has no motion") {
   CHECK(host.length() < 2e-3);
 }
 
+TEST_CASE("standing while people walk past, the path is a matter of centimetres") {
+  Host host(test::streetRig());
+  for (int k = 0; k < 300; ++k) host.track(test::withPassersBy(streetFrames()[3], k));
+  CHECK(host.length() < 0.05);
+  CHECK(host.trajectory().back().translation().norm() < 0.02);
+}
+
+TEST_CASE("a creeping camera is late at no place for long") {
+  Host host(test::streetRig());
+  constexpr double kStep = 0.0005;  // m
+  for (int k = 0; k < 120; ++k) {
+    const Eigen::Isometry3d pose(Eigen::Translation3d(0, 0, kStep * k));
+    host.track(test::streetFrame(k, pose));
+    CHECK(std::fabs(host.trajectory().back().translation().z() - kStep * k) < 0.015);
+  }
+}
+
 TEST_CASE("turning round on the spot of a road is no loss") {
   Host host(test::streetRig());
   const int places[] = {0, 1, 2, 3, 4, 3, 2, 1, 0};

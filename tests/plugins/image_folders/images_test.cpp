@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The source images: one or two folders, with and without calibration; the order of its images.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
+#include <opencv2/imgcodecs.hpp>
 
 #include "data_folder.hpp"
 #include "image_file.hpp"
@@ -176,6 +178,41 @@ TEST_CASE("stamps from a file, in other units, and in the names of the images") 
   data.writeImage("image_0/later.png", 64, 48);
   CHECK_THAT(Images(data, in_names).message,
              Catch::StartsWith("DATA/image_0/later.png: 'later' is no time in ms"));
+}
+
+TEST_CASE("response and vignette of TUM's monocular sets make grey levels proportional to light") {
+  const DataFolder data;
+  std::string response;  // light is the square of the grey level, from 10 upwards
+  for (int i = 0; i < 256; ++i) response += std::to_string(10 + i * i) + " ";
+  data.write("pcalib.txt", response + "\n");
+  data.write("times.txt", "00000 1.25 0.5\n00001 1.5 4\n00002 1.75 4\n00003 2.0 4\n");
+  const ParameterValues given =
+      with(kLeft, {{"response", std::string("pcalib.txt")}, {"stamps", std::string("times.txt")}});
+  const Images plain(data, with(kLeft, {{"stamps", std::string("times.txt")}}));
+  const Images even(data, given);
+  REQUIRE(even.frames.size() == 4);
+  CHECK(even.frames[0].stamp_ns == 1'250'000'000);
+  REQUIRE(even.frames[1].sensors.size() == 1);
+  CHECK(even.frames[1].sensors[0].name == "exposure.left");
+  CHECK(even.frames[1].sensors[0].values == std::vector<float>{4});
+  const auto light = [&](int x, int y) {
+    const double grey = plain.frames[0].left.row(y)[x];
+    return grey * grey / 255;
+  };
+  for (const int x : {0, 31, 63})
+    CHECK(even.frames[0].left.row(20)[x] == std::lround(light(x, 20)));
+
+  cv::Mat vignette(48, 64, CV_16U, cv::Scalar(50000));
+  vignette.col(0) = 25000;
+  cv::imwrite(data.path("vignette.png").string(), vignette);
+  const Images bright(data, given);
+  CHECK(bright.frames[0].left.row(20)[31] == even.frames[0].left.row(20)[31]);
+  CHECK(bright.frames[0].left.row(20)[0] == std::lround(std::min(2 * light(0, 20), 255.0)));
+
+  data.writeImage("vignette.png", 32, 48);
+  CHECK_THAT(Images(data, given).message, Catch::Contains("vignette.png: has 32x48 pixels"));
+  data.write("pcalib.txt", "1 2 3\n");
+  CHECK_THAT(Images(data, given).message, Catch::Contains("has 3 numbers instead of"));
 }
 
 TEST_CASE("contradictions of parameters are refused") {

@@ -35,7 +35,7 @@ std::string refusalOf(const std::string& text, const Read& read) {
 }
 
 const auto kTimes = [](const std::filesystem::path& file) {
-  return readTimes(file, "", TimeUnit::Seconds);
+  return readTimes(file, "", TimeUnit::Seconds).stamps_ns;
 };
 
 }  // namespace
@@ -44,7 +44,7 @@ TEST_CASE("times as KITTI prints them, and a column of a table") {
   CHECK(reading("0.000000e+00\n1.044989e-01\n2.077935e-01\n", kTimes) ==
         List{0, 104498900, 207793500});
   const auto column = [](const std::filesystem::path& file) {
-    return readTimes(file, "time_s", TimeUnit::Milliseconds);
+    return readTimes(file, "time_s", TimeUnit::Milliseconds).stamps_ns;
   };
   CHECK(reading("file,time_s,gyro\nimages/0.jpg,0.5,-0.04\nimages/1.jpg,63,0.09\n", column) ==
         List{500'000, 63'000'000});
