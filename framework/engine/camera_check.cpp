@@ -119,12 +119,21 @@ bool isRepeated(const Image& a, const Image& b) {
 
 }  // namespace
 
+/// Whether the right image and the left one before it are a sound pair: where the camera turns, an
+/// image that is a frame late looks as if both were exchanged.
+bool FrameCheck::isLate(const Image& right) const {
+  if (left_.empty()) return false;
+  const StereoMeasure before = measureStereo(grayHalf(left_), grayHalf(right));
+  return before.matched >= kCertain && faultOf(before) == StereoFault::None;
+}
+
 /// The present fault of the pair. A fault that is measured with few matches counts only if two
 /// measures in succession find it. It ends after kSoundAgain measures without a fault.
 StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
   const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
-  const StereoFault measured = faultOf(measure);
+  StereoFault measured = faultOf(measure);
+  if (measured == StereoFault::Exchanged && isLate(frame.right)) measured = StereoFault::OtherTime;
   if (rows_.size() < kMostRows) {
     rows_.insert(rows_.end(), measure.rows.begin(), measure.rows.end());
   }

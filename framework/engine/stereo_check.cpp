@@ -23,6 +23,8 @@ constexpr int kBorder = kPatchWidth / 2 + kRows + 1;
 constexpr int kColumnsOfCells = 12;
 constexpr int kRowsOfCells = 5;
 
+constexpr double kMostExchanged = 0.6;  // share of the matches
+
 constexpr int kPatchArea = kPatchWidth * (2 * kRadius + 1);
 constexpr double kWeakestCorner = 40;      // smaller eigenvalue of the structure tensor, per pixel
 constexpr double kLargestDifference = 14;  // grey levels per pixel
@@ -204,7 +206,7 @@ StereoFault faultOf(const StereoMeasure& measure) {
   if (measure.matched < kMin) return StereoFault::None;
   // Tested first, because on a highway a late right image also has most corners on the wrong side.
   if (measure.spread > kScattered) return StereoFault::OtherTime;
-  if (measure.share_exchanged > 0.6) return StereoFault::Exchanged;
+  if (measure.share_exchanged > kMostExchanged) return StereoFault::Exchanged;
   return std::fabs(measure.rows_low) > kApart ? StereoFault::RowsApart : StereoFault::None;
 }
 
@@ -219,6 +221,11 @@ std::string faultText(StereoFault fault, const StereoMeasure& measure) {
       return "left and right image are exchanged; exchange the two folders, topics or cameras of "
              "the calibration";
     case StereoFault::OtherTime:
+      if (measure.share_exchanged > kMostExchanged) {
+        return "the right image belongs to the left one of the frame before; are both exposed at "
+               "the "
+               "same time, and paired by their times?";
+      }
       return fmt::format(
           "the rows of left and right image do not belong together (differences of {:.1f} px); are "
           "both exposed at the same time, and rectified?",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faults of cameras that begin and end during a run.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -123,6 +124,22 @@ TEST_CASE(
   for (std::size_t i = 0; i < 8; ++i) CHECK(used[i]);
   for (std::size_t i = 12; i < 20; ++i) CHECK_FALSE(used[i]);
   for (std::size_t i = 25; i < 40; ++i) CHECK(used[i]);
+}
+
+TEST_CASE("a right image that is a frame late in a turn is not taken for exchanged cameras") {
+  FrameCheck check;
+  for (int i = 0; i < 12; ++i) {
+    PaintedPair pair;
+    pair.turned = 36 * i;
+    Frame frame;
+    frame.left = pair.left();
+    pair.turned = 36 * std::max(i - 1, 0);
+    frame.right = pair.right();
+    CAPTURE(i);
+    const auto fault = check.check(frame);
+    CHECK_FALSE(frame.left.empty());
+    if (i > 5) CHECK(fault.value_or("").starts_with("the right image belongs to the left one of"));
+  }
 }
 
 TEST_CASE("a right image with its rows apart is not used from the first frame on") {

@@ -18,6 +18,7 @@ struct PaintedPair {
   double rows_low = 0;   ///< px, of the right image
   double scattered = 0;  ///< px: each band of rows of the right image is off by up to this
   bool exchanged = false;
+  double turned = 0;    ///< px, by which everything is farther left
   double brighter = 0;  ///< grey levels, the right image
   std::uint64_t seed = 1;
 
@@ -65,7 +66,7 @@ struct PaintedPair {
       for (int y = 0; y < kHeight; ++y) {
         const double scene_y = y - down(y);
         for (int x = 0; x < kWidth; ++x) {
-          const double value = 128 + offset + texture(x + disparity(scene_y), scene_y);
+          const double value = 128 + offset + texture(x + turned + disparity(scene_y), scene_y);
           *data++ = static_cast<std::uint8_t>(std::fmin(255, std::fmax(0, value)));
         }
       }
