@@ -9,8 +9,8 @@
 #include "app/options.hpp"
 #include "config/text.hpp"
 #include "experiment/figures.hpp"
+#include "record/atomic_file.hpp"
 #include "record/data_digest.hpp"
-#include "record/output_places.hpp"
 #include "report/raster.hpp"
 
 namespace tolman::app {
@@ -92,7 +92,7 @@ void compare(CompareCommand& command, const Invocation& invocation) {
   const std::string table = comparisonText(command, rows, files);
   const bool to_file = !command.out.path.empty();
   if (to_file) files.push_back({command.out.path, table});
-  failUnless(record::writeTogether(files, to_file ? "--out" : "--figure"));
+  failUnless(record::writeOutputs(files));
   if (!to_file) {
     std::cout << table;
     return;

@@ -9,7 +9,7 @@
 #include "app/summary.hpp"
 #include "evaluation/trajectory.hpp"
 #include "experiment/figures.hpp"
-#include "record/output_places.hpp"
+#include "record/atomic_file.hpp"
 
 namespace tolman::app {
 namespace {
@@ -119,7 +119,7 @@ void writeFigure(const EvalFiles& files, const std::vector<Evaluated>& all) {
   const std::string svg = experiment::curveFigure(
       {"Position error after alignment", "driven path (m)", "error (m)", free, free, {}}, curves,
       {880, 380});
-  failUnless(record::writeTogether({{files.figure, svg}}, "--figure"));
+  failUnless(record::writeOutputs({{files.figure, svg}}));
 }
 
 void evaluateAll(const EvalFiles& files, const Invocation& invocation) {

@@ -94,15 +94,12 @@ std::vector<host::LoadedPlugin> openUsable(const host::Catalogue& catalogue) {
 
 void describe(const Description& asked, Invocation& invocation) {
   const host::Catalogue catalogue = engine::openCatalogue(invocation.plugin_paths);
-  if (asked.ids.empty()) {
-    if (!asked.json_schema) throw CLI::RequiredError("id");
-    std::cout << jsonText(fileSchema(openUsable(catalogue)));
-    return;
-  }
+  if (asked.ids.empty() && !asked.json_schema) throw CLI::RequiredError("id");
   std::vector<host::LoadedPlugin> loaded;
+  if (asked.ids.empty()) loaded = openUsable(catalogue);
   for (const std::string& id : asked.ids) loaded.push_back(open(catalogue, id));
   if (asked.json_schema) {
-    std::cout << jsonText(stageSchema(loaded));
+    std::cout << jsonText(fileSchema(loaded));
   } else if (invocation.json) {  // one plugin as an object, several as a list
     Json json = Json::array();
     for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
@@ -235,7 +232,7 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
   auto* markdown = describing.add_flag("--markdown", asked->markdown, "As a reference page");
   describing
       .add_flag("--json-schema", asked->json_schema,
-                "As a JSON Schema of one stage, or, without ids, of a whole configuration file")
+                "As a JSON Schema of a configuration file with these plugins, without ids with all")
       ->excludes(markdown);
   describing.callback([asked, &invocation] { describe(*asked, invocation); });
 

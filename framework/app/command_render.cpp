@@ -14,7 +14,7 @@
 #include "app/program.hpp"
 #include "engine/assembly.hpp"
 #include "engine/drive.hpp"
-#include "record/data_digest.hpp"
+#include "record/atomic_file.hpp"
 
 namespace tolman::app {
 namespace {

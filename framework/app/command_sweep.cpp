@@ -16,7 +16,6 @@
 #include "host/child_process.hpp"
 #include "host/scratch_folder.hpp"
 #include "record/atomic_file.hpp"
-#include "record/data_digest.hpp"
 
 namespace tolman::app {
 namespace {

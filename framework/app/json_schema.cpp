@@ -181,23 +181,6 @@ Json sections() {
 
 }  // namespace
 
-Json stageSchema(const std::vector<host::LoadedPlugin>& plugins) {
-  Json schema = {{"$schema", kDialect}};
-  Json alternatives = Json::array();
-  for (const auto& plugin : plugins) {
-    Json one = alternative(plugin);
-    one["required"] = {"plugin"};
-    for (const Json& name : requiredBy(plugin)) one["required"].push_back(name);
-    alternatives.push_back(std::move(one));
-  }
-  if (alternatives.size() == 1) {
-    schema.update(alternatives.front());
-  } else {
-    schema["anyOf"] = std::move(alternatives);
-  }
-  return schema;
-}
-
 Json fileSchema(const std::vector<host::LoadedPlugin>& plugins) {
   Json properties = sections();
   for (const Role role : kChain) {

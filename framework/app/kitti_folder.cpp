@@ -9,6 +9,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "record/atomic_file.hpp"
 #include "record/export.hpp"
 
 namespace tolman::app {
@@ -16,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array kImageFolders = {"image_0", "image_1", "image_2", "image_3", "depth_0"};
-constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
+constexpr std::array kOurs = {"image_0",   "image_1",   "image_2",   "image_3",  "depth_0",
+                              "times.txt", "calib.txt", "poses.txt", "loops.txt"};
 
 /// Marks a folder as a rendering. It is written first, because --force replaces only marked
 /// folders.
@@ -26,30 +27,6 @@ constexpr const char* kMarkText =
     "`tolman dataset render` wrote this folder; --force may replace it.\n";
 
 std::string imageName(std::int64_t index) { return fmt::format("{:06}.png", index); }
-
-/// Whether writeFrame() makes files of this name: digits and ".png", or its temporary name.
-bool isOurs(const fs::path& file) {
-  std::string name = file.filename().string();
-  const std::size_t partial = name.find(".partial");  // of writeAtomically()
-  if (name.starts_with('.') && partial != std::string::npos) name = name.substr(1, partial - 1);
-  return name.size() >= 10 && name.ends_with(".png") &&
-         name.find_first_not_of("0123456789") == name.size() - 4;
-}
-
-/// Removes the files of an earlier rendering, and links in place of its folders.
-void removeEarlier(const fs::path& folder) {
-  std::error_code ignored;
-  for (const char* name : kTextFiles) fs::remove(folder / name, ignored);
-  for (const char* name : kImageFolders) {
-    if (fs::is_symlink(folder / name)) fs::remove(folder / name, ignored);
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
-      if (isOurs(entry.path())) files.push_back(entry.path());
-    }
-    for (const fs::path& file : files) fs::remove(file, ignored);
-    fs::remove(folder / name, ignored);  // fails if other files are in it
-  }
-}
 
 std::string projectionText(const CameraRig& rig, double baseline_m) {
   const Pinhole& K = rig.pinhole;
@@ -124,34 +101,29 @@ std::string timesText(const std::vector<std::int64_t>& stamps_ns) {
 }
 
 Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
+  const auto refuse = [&](const std::string& why) {
+    return Status::failed(folder.string() + ": " + why);
+  };
+  std::error_code error;
+  fs::create_directories(folder, error);
   if (!fs::is_directory(folder)) {
-    return Status::failed(folder.string() +
-                          ": is not a folder and cannot be made; choose another --out");
+    return refuse("is not a folder and cannot be made; choose another --out");
   }
-  record::FileDescriptor lock = record::lockFolder(folder);
-  if (!lock.isOpen()) {
-    return Status::failed(folder.string() +
-                          ": another rendering or run is writing here; wait for its end, or choose "
-                          "another --out");
-  }
-  const bool is_empty =
-      std::ranges::all_of(fs::directory_iterator(folder, failure),
-                          [](const auto& entry) { return entry.path().filename() == kMark; });
+  const bool is_marked = fs::is_regular_file(folder / kMark, error);
+  const bool is_empty = std::distance(fs::directory_iterator(folder, error), {}) == is_marked;
   if (!is_empty && !replace) {
-    return Status::failed(folder.string() +
-                          ": is not empty; choose another --out, or give --force to replace an "
-                          "earlier rendering");
+    return refuse(
+        "is not empty; choose another --out, or give --force to replace an earlier "
+        "rendering");
   }
-  if (!is_empty && !fs::is_regular_file(folder / kMark, failure)) {
-    return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
-                          "), so --force does not replace it; choose another --out");
+  if (!is_empty && !is_marked) {
+    return refuse("holds no rendering of Tolman (it has no " + std::string(kMark) +
+                  "), so --force does not replace it; choose another --out");
   }
-  if (replace) removeEarlier(folder);
+  for (const char* name : kOurs) fs::remove_all(folder / name, error);
   const Status marked = record::writeAtomically(folder / kMark, kMarkText);
   if (!marked.isOk()) return marked;
-  return KittiFolder(folder, std::move(lock));
+  return KittiFolder(folder);
 }
 
 Status KittiFolder::writeImage(const char* name, std::int64_t index,
@@ -183,9 +155,7 @@ Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
     if (status.isOk()) status = record::writeAtomically(folder_ / name, text);
   };
   if (log.hasTruth()) {
-    const Result<std::string> poses = record::kittiText(log.truth);
-    if (!poses.isOk()) return poses.status();
-    write("poses.txt", poses.value());
+    write("poses.txt", record::kittiText(log.truth));
     write("loops.txt", evaluation::loopsText(revisits));
   }
   if (rig.calibrated) write("calib.txt", calibrationText(rig));

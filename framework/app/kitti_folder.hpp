@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "evaluation/loops.hpp"
-#include "record/atomic_file.hpp"
 #include "tolman/records.hpp"
 #include "tolman/roles.hpp"
 #include "tolman/status.hpp"
@@ -39,11 +38,10 @@ std::string calibrationText(const CameraRig& rig);
 /// Seconds, exact to the nanosecond, one line per image.
 std::string timesText(const std::vector<std::int64_t>& stamps_ns);
 
-/// A locked folder: while this object exists, no other rendering writes into it.
 class KittiFolder {
  public:
-  /// Creates and locks the folder. Fails if another rendering writes there, or if it is not empty;
-  /// with `replace` the files of an earlier rendering are removed, but no other files.
+  /// Creates the folder, or takes an empty one; with `replace` one that an earlier rendering has
+  /// marked, whose image folders and text files are removed.
   static Result<KittiFolder> create(const std::filesystem::path& folder, bool replace);
 
   const std::filesystem::path& path() const { return folder_; }
@@ -59,12 +57,10 @@ class KittiFolder {
                     const std::vector<evaluation::Revisit>& revisits) const;
 
  private:
-  KittiFolder(std::filesystem::path folder, record::FileDescriptor lock)
-      : folder_(std::move(folder)), lock_(std::move(lock)) {}
+  explicit KittiFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
   Status writeImage(const char* name, std::int64_t index, const Result<std::string>& png) const;
 
   std::filesystem::path folder_;
-  record::FileDescriptor lock_;
 };
 
 }  // namespace tolman::app

@@ -17,12 +17,9 @@ nlohmann::ordered_json parametersJson(const host::LoadedPlugin& plugin);
 /// "1 to 512", ">= 0", "forward, backward", or nothing.
 std::string limitsText(const ParameterInfo& info);
 
-/// JSON Schema (draft 2020-12) of configurations, for editors. One stage that is one of these
-/// plugins, complete.
-nlohmann::ordered_json stageSchema(const std::vector<host::LoadedPlugin>& plugins);
-
-/// A whole file: the host's sections, and in each stage these plugins of its role, selected by
-/// `plugin`. A file that `extends` another needs no complete stages.
+/// JSON Schema (draft 2020-12) of a configuration file, for editors: the host's sections, and in
+/// each stage these plugins of its role, selected by `plugin`. A file that `extends` another needs
+/// no complete stages.
 nlohmann::ordered_json fileSchema(const std::vector<host::LoadedPlugin>& plugins);
 
 }  // namespace tolman::app

@@ -18,7 +18,6 @@
 #include "engine/services.hpp"
 #include "host/plugin_process.hpp"
 #include "record/atomic_file.hpp"
-#include "record/output_places.hpp"
 
 namespace tolman::app {
 

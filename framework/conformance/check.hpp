@@ -25,6 +25,7 @@ struct CheckTask : KitOptions {
   std::filesystem::path folder;  ///< for its messages, and below it for files of the plugin
 };
 inline constexpr const char* kPluginFolder = "plugin";
+inline constexpr const char* kOutputFile = "output";  ///< in `folder`: stdout and stderr
 
 class CheckContext {
  public:

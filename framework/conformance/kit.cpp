@@ -29,9 +29,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Files in the folder of a check: its messages, a line each, and its stdout and stderr.
+/// The file in the folder of a check with its messages, a line each.
 constexpr const char* kMessages = "messages";
-constexpr const char* kOutput = "output";
 
 Json jsonOf(const Finding& finding) {
   return {{"severity", enumName(finding.severity)},
@@ -87,7 +86,7 @@ class CheckProcess {
     std::vector<std::string> command = options.program;
     command.push_back(config::jsonText(nlohmann::json(task)));
     const host::Descriptor output(
-        ::open((scratch.path() / kOutput).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+        ::open((scratch.path() / kOutputFile).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     host::ChildProcess child(command, {}, output.get());
@@ -96,7 +95,7 @@ class CheckProcess {
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     timed_out_ = end.signal == SIGKILL && result_.seconds >= options.timeout;
     readMessages(scratch.path() / kMessages);
-    addEnd(end, options.timeout, lastLine(scratch.path() / kOutput));
+    addEnd(end, options.timeout, lastLine(scratch.path() / kOutputFile));
   }
 
   bool timedOut() const { return timed_out_; }

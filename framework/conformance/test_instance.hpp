@@ -47,12 +47,6 @@ using Transcript = std::vector<TranscriptEntry>;
 std::optional<std::string> firstDifference(const Transcript& expected, const Transcript& found,
                                            std::size_t skip = 0);
 
-/// Whether dt is the time since the previous frame, 0 for the first.
-Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous);
-
-/// Whether two poses are equal up to rounding.
-bool close(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
-
 /// Called before each call into the plugin, so that the kit knows in which one the process died.
 using Trace = std::function<void(const std::string& call)>;
 
@@ -98,9 +92,9 @@ class TestInstance {
   bool keepsState() { return instance().state() != nullptr; }
   /// Number of events that need a long drive, such as closed loops; an empty name for roles without
   /// such events.
-  virtual Measurement reached() const { return {}; }
+  const Measurement& reached() const { return reached_; }
   /// Expects the run of `other` to continue here: its state was loaded into this instance.
-  virtual void continueRun(const TestInstance& other) = 0;
+  void continueRun(const TestInstance& other);
 
   const Transcript& transcript() const { return transcript_; }
   void clearTranscript() { transcript_.clear(); }
@@ -112,15 +106,25 @@ class TestInstance {
   /// One frame. A source ignores the input and gives its next frame.
   virtual Status answer(const FrameInput& input, TranscriptEntry& answer) = 0;
   virtual Status answerEnd(const InputSequence& sequence, TranscriptEntry& answer) = 0;
-  /// Expects a new run: after configure() or reset().
-  virtual void beginRun() = 0;
+  /// Sets the state of the host's own checks to the progress of the run.
+  virtual void resetChecks() = 0;
   /// Adds the call site to a failure that the kit found.
   Status checked(std::string_view call, std::int64_t frame, const Status& status);
 
+  /// What the checks of a run need of its earlier frames.
+  struct Progress {
+    std::int64_t count = 0;              ///< frames of a source, templates, or experiences
+    std::vector<std::int64_t> frames{};  ///< that a map has answered
+  };
   const PluginUnderTest& plugin_;
   CameraRig rig_;  ///< of the source of the run
+  Progress now_;
+  Measurement reached_;
+  bool is_begun_ = false;  ///< info() of a source, or begin() of an observer, was called
 
  private:
+  /// Expects a new run: after configure() or reset().
+  void beginRun();
   Status appendArrays(std::int64_t frame, TranscriptEntry& answer);
 
   ParameterValues values_;

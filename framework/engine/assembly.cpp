@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "host/remote_plugin.hpp"
-#include "record/output_places.hpp"
+#include "record/atomic_file.hpp"
 
 namespace tolman::engine {
 namespace {

@@ -4,10 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "config/json_text.hpp"
@@ -16,7 +14,6 @@
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/export.hpp"
-#include "record/output_places.hpp"
 #include "report/map_picture.hpp"
 #include "report/page.hpp"
 #include "report/raster.hpp"
@@ -78,19 +75,13 @@ class ReportFiles {
     return status;
   }
 
-  /// Writes all files, the page last; nothing through links into other folders.
+  /// Writes all files, the page last.
   Result<std::vector<fs::path>> write(std::string page) {
-    constexpr std::array<std::string_view, 1> kFigures = {"figures"};
-    const std::vector<std::string_view> subs(subs_.begin(), subs_.end());
-    Status status = record::refuseLinks(folder_, kFigures);
-    if (status.isOk()) status = record::refuseLinks(folder_ / "figures", subs);
-    if (!status.isOk()) return status;
     std::error_code ignored;  // writing fails with a better message
     for (const std::string& sub : subs_) fs::create_directories(folder_ / "figures" / sub, ignored);
     fs::create_directories(folder_, ignored);
     files_.push_back({folder_ / "report.html", std::move(page)});
-    status = record::writeTogether(files_, "--out");
-    if (!status.isOk()) return status;
+    if (Status status = record::writeOutputs(files_); !status.isOk()) return status;
     std::vector<fs::path> written{files_.back().path};
     for (const record::OutputFile& file : files_) {
       if (file.path != written.front()) written.push_back(file.path);

@@ -13,7 +13,6 @@
 #include "engine/run.hpp"
 #include "engine/saved_state.hpp"
 #include "record/atomic_file.hpp"
-#include "record/data_digest.hpp"
 #include "record/digest.hpp"
 #include "record/run_directory.hpp"
 

@@ -16,7 +16,7 @@
 #include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "record/digest.hpp"
-#include "record/output_places.hpp"
+#include "record/atomic_file.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::experiment {

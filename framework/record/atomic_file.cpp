@@ -5,39 +5,37 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
 namespace tolman::record {
 namespace {
 
-Status failure(const std::string& shown, const std::string& what) {
-  return Status::failed(shown + ": " + what + " (" + std::generic_category().message(errno) + ")");
+namespace fs = std::filesystem;
+
+Status failure(const fs::path& file, const std::string& what) {
+  return Status::failed(file.string() + ": " + what + " (" +
+                        std::generic_category().message(errno) + ")");
 }
 
-bool writeAll(int file, std::span<const std::byte> bytes) {
+bool writeAll(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
 }
 
-/// Creates a new temporary file beside any that a killed program has left. `name` becomes its name.
-FileDescriptor createTemporary(const FileDescriptor& directory, std::string& name) {
-  constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    const std::string candidate = "." + name + ".partial" + std::to_string(attempt);
-    FileDescriptor file(::openat(directory.number(), candidate.c_str(), kFlags, 0644));
-    if (file.isOpen() || errno != EEXIST) {
-      name = candidate;
-      return file;
-    }
-  }
-  return FileDescriptor(-1);
+bool isSafe(const fs::path& name) {
+  if (name.empty() || name.is_absolute() || !name.has_filename()) return false;
+  if (name.native().find('\0') != std::string::npos) return false;
+  return std::ranges::none_of(
+      name, [](const fs::path& part) { return part == ".." || part == "." || part.empty(); });
 }
 
 }  // namespace
@@ -51,57 +49,82 @@ FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
   return *this;
 }
 
-FileDescriptor lockFolder(const std::filesystem::path& folder) {
+FileDescriptor lockFolder(const fs::path& folder) {
   FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   const bool locked = descriptor.isOpen() && ::flock(descriptor.number(), LOCK_EX | LOCK_NB) == 0;
   return locked ? std::move(descriptor) : FileDescriptor(-1);
 }
 
-Status writeAtomicallyAt(const FileDescriptor& directory, const std::string& name,
-                         std::span<const std::byte> bytes, const std::string& shown, Sync sync) {
-  std::string temporary = name;
-  const FileDescriptor file = createTemporary(directory, temporary);
-  if (!file.isOpen()) return failure(shown, "cannot be created; check folder and permissions");
+Status writeAtomically(const fs::path& file, std::string_view bytes, Sync sync) {
+  const fs::path temporary = file.parent_path() / ("." + file.filename().string() + ".partial" +
+                                                   std::to_string(::getpid()));
+  const FileDescriptor stream(
+      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  if (!stream.isOpen()) return failure(file, "cannot be created; check folder and permissions");
   Status status;
-  const bool synced = sync == Sync::Yes;
-  if (!writeAll(file.number(), bytes) || (synced && ::fsync(file.number()) != 0)) {
-    status = failure(shown, "cannot be written; look for a full disk");
-  } else if (::renameat(directory.number(), temporary.c_str(), directory.number(), name.c_str()) !=
-             0) {
-    status = failure(shown, "cannot be replaced");
+  if (!writeAll(stream.number(), bytes) || (sync == Sync::Yes && ::fsync(stream.number()) != 0)) {
+    status = failure(file, "cannot be written; look for a full disk");
+  } else if (std::rename(temporary.c_str(), file.c_str()) != 0) {
+    status = failure(file, "cannot be replaced");
   }
-  if (!status.isOk()) ::unlinkat(directory.number(), temporary.c_str(), 0);
+  if (!status.isOk()) ::unlink(temporary.c_str());
   return status;
 }
 
-Status writeAtomically(const std::filesystem::path& file, std::string_view text, Sync sync) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!directory.isOpen())
-    return failure(file.string(), "its folder cannot be opened; check path and permissions");
-  return writeAtomicallyAt(directory, file.filename().string(),
-                           std::as_bytes(std::span(text.data(), text.size())), file.string(), sync);
-}
-
-bool isStandardOutput(const std::filesystem::path& file) {
+bool isStandardOutput(const fs::path& file) {
   std::error_code ignored;
-  return std::filesystem::equivalent(file, "/proc/self/fd/1", ignored);
+  return fs::equivalent(file, "/proc/self/fd/1", ignored);
 }
 
-Status writeOutput(const std::filesystem::path& file, std::string_view text) {
+Status writeOutput(const fs::path& file, std::string_view bytes) {
   std::error_code ignored;
   const bool is_standard = isStandardOutput(file);
-  if (!is_standard && !std::filesystem::is_other(file, ignored)) return writeAtomically(file, text);
+  if (!is_standard && !fs::is_other(file, ignored)) return writeAtomically(file, bytes);
   constexpr int kFlags =
       O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;  // does not wait for a reader
   const FileDescriptor stream(is_standard ? ::dup(STDOUT_FILENO) : ::open(file.c_str(), kFlags));
   if (!stream.isOpen()) {
-    return failure(file.string(), errno == ENXIO ? "nobody reads this pipe; start its reader first"
-                                                 : "cannot be opened; check its permissions");
+    return failure(file, errno == ENXIO ? "nobody reads this pipe; start its reader first"
+                                        : "cannot be opened; check its permissions");
   }
   if (!is_standard) ::fcntl(stream.number(), F_SETFL, O_WRONLY);
-  if (writeAll(stream.number(), std::as_bytes(std::span(text.data(), text.size())))) return {};
-  return failure(file.string(), "cannot be written; look for a full disk or a closed pipe");
+  if (writeAll(stream.number(), bytes)) return {};
+  return failure(file, "cannot be written; look for a full disk or a closed pipe");
+}
+
+Status writeOutputs(const std::vector<OutputFile>& files) {
+  for (const auto& [path, bytes] : files) {
+    if (Status status = writeOutput(path, bytes); !status.isOk()) return status;
+  }
+  return Status::ok();
+}
+
+fs::path truePath(const fs::path& path) {
+  // Of a relative path that does not exist weakly_canonical() makes a relative one.
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return path;
+  const fs::path found = fs::weakly_canonical(absolute, error);
+  const fs::path normal = error ? absolute.lexically_normal() : found;
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+bool isInside(const fs::path& path, const fs::path& folder) {
+  const fs::path inner = truePath(path);
+  const fs::path outer = truePath(folder);
+  return !outer.empty() && std::ranges::mismatch(outer, inner).in1 == outer.end();
+}
+
+Status ArtefactFolder::write(std::string_view name, std::span<const std::byte> bytes) {
+  const fs::path relative(name);
+  if (!isSafe(relative) || !isSafe(instance_)) {
+    return Status::invalidParameter("artefact '" + std::string(name) +
+                                    "': the name must be relative, without \"..\"");
+  }
+  const fs::path file = run_directory_ / "artefacts" / instance_ / relative;
+  std::error_code error;  // the write below fails with a message
+  if (fs::is_directory(run_directory_, error)) fs::create_directories(file.parent_path(), error);
+  return writeAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace tolman::record

@@ -28,12 +28,9 @@ struct DataFile {
 /// The regular files below `root` by name, or `root` itself if it is a file. Of a run directory
 /// only the files that a later run reads: run.sqlite and the state; run directories further below
 /// are left out, because they are results, and not part of the data beside them. Links are
-/// followed, but not back to a folder that contains them. Throws std::filesystem::filesystem_error,
+/// followed, but not to a folder that contains them. Throws std::filesystem::filesystem_error,
 /// for more than kMaxFiles files with std::errc::file_too_large.
 std::vector<DataFile> dataFiles(const std::filesystem::path& root);
-
-/// Whether `path`, which need not exist, is `folder` or lies in it; links are followed.
-bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 struct DataDigest {
   std::string path;

@@ -10,14 +10,10 @@
 #include <charconv>
 #include <utility>
 
-#include "record/output_places.hpp"
+#include "record/atomic_file.hpp"
 
 namespace tolman::record {
 namespace {
-
-// A damaged frame number must not fill the disk with repeated lines.
-constexpr std::int64_t kMaxFrames = 100'000'000;
-constexpr std::int64_t kMaxGap = 1'000'000;
 
 void add(std::string& text, double value) {
   std::array<char, 32> digits{};
@@ -80,25 +76,17 @@ std::string tumText(const evaluation::Trajectory& poses) {
   return text;
 }
 
-Result<std::string> kittiText(const evaluation::Trajectory& poses, std::int64_t frames) {
+std::string kittiText(const evaluation::Trajectory& poses, std::int64_t frames) {
   std::string text;
   std::string line = kittiLine(Eigen::Isometry3d::Identity());
   std::int64_t next = 0;
-  const auto repeatUntil = [&](std::int64_t frame) {
-    if (frame < next || frame - next > kMaxGap || frame > kMaxFrames) {
-      return Status::invalidInput(
-          fmt::format("frame {} comes where frame {} was due; the record is damaged", frame, next));
-    }
-    for (; next < frame; ++next) text += line;
-    return Status::ok();
-  };
   for (const evaluation::TrajectoryPose& pose : poses) {
-    if (Status status = repeatUntil(pose.frame); !status.isOk()) return status;
+    for (; next < pose.frame; ++next) text += line;
     line = kittiLine(pose.T_world_camera);
     text += line;
     ++next;
   }
-  if (Status status = repeatUntil(std::max(next, frames)); !status.isOk()) return status;
+  for (; next < frames; ++next) text += line;
   return text;
 }
 
@@ -225,7 +213,7 @@ Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
   if (written.empty() && unreadable.isOk()) {
     return Status::invalidInput(reader.directory().string() + ": holds nothing to export yet");
   }
-  if (Status status = writeTogether(files, "--out"); !status.isOk()) return status;
+  if (Status status = writeOutputs(files); !status.isOk()) return status;
   if (!unreadable.isOk()) return unreadable;
   return written;
 }

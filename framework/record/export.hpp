@@ -43,10 +43,8 @@ std::string tumText(const evaluation::Trajectory& poses);
 
 /// Twelve numbers per line, one line per frame from frame 0. The format has no frame numbers: a
 /// frame without a pose repeats the previous pose (the identity before the first), so that line
-/// numbers are frame numbers; so do those after the last pose up to `frames`. InvalidInput for
-/// frames out of order, for gaps of more than a million frames, and for frame numbers above 100
-/// million.
-Result<std::string> kittiText(const evaluation::Trajectory& poses, std::int64_t frames = 0);
+/// numbers are frame numbers; so do those after the last pose up to `frames`.
+std::string kittiText(const evaluation::Trajectory& poses, std::int64_t frames = 0);
 
 /// The connected components of an experience graph. A map has several when no loop joins a session
 /// with the earlier ones, or when tracking restarted at an unknown pose. The relative pose of two

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <ctime>
 #include <fstream>
-#include <span>
 #include <system_error>
 #include <vector>
 
@@ -18,7 +17,6 @@
 #include "config/json_text.hpp"
 #include "config/values.hpp"
 #include "record/export.hpp"
-#include "record/output_places.hpp"
 
 namespace tolman::record {
 namespace {
@@ -28,9 +26,9 @@ namespace fs = std::filesystem;
 constexpr const char* kOther = "choose another --out";
 constexpr const char* kBusy = ": another run is writing here; ";
 
-constexpr std::array kRecordFiles = {"run.sqlite",          "run.sqlite-wal", "run.sqlite-shm",
-                                     "run.sqlite-journal",  "run.json",       "log.txt",
-                                     "config.resolved.yaml"};
+constexpr std::array kRecordFiles = {
+    "figures",        "artefacts",          "state",    "run.sqlite", "run.sqlite-wal",
+    "run.sqlite-shm", "run.sqlite-journal", "run.json", "log.txt",    "config.resolved.yaml"};
 constexpr std::array kDerivedFiles = {"metrics.json", "report.html", "results.sha256", "map.svg",
                                       "run.npz",      "run.nwb",     "figures"};
 
@@ -78,7 +76,6 @@ Status removeDerivedFiles(const fs::path& directory) {
 /// The same for all files of a run, including record, log, states and artefacts.
 Status removeRunFiles(const fs::path& directory) {
   Status status = removeDerivedFiles(directory);
-  removeAll(directory, kRunFolders, status);
   removeAll(directory, kRecordFiles, status);
   return status;
 }
@@ -120,20 +117,22 @@ Status cannotBeMade(const fs::path& path, const std::error_code& why) {
                         "); choose another with --out");
 }
 
-/// The state that a run leaves if it could not write its first file.
-bool holdsOnlyEmptyLog(const fs::path& directory) {
-  std::error_code error;
-  fs::directory_iterator entry(directory, error);
-  return !error && entry != fs::directory_iterator() && entry->path().filename() == "log.txt" &&
-         entry->is_regular_file(error) && entry->file_size(error) == 0 &&
-         ++entry == fs::directory_iterator();
+/// Failed if the path lies in the directory of a run, at any depth.
+Status refuseInsideRun(const fs::path& path) {
+  for (fs::path outer = truePath(path).parent_path(); outer.has_relative_path();
+       outer = outer.parent_path()) {
+    if (!holdsRun(outer)) continue;
+    return Status::failed(path.string() + ": lies in the directory of the run " + outer.string() +
+                          ", whose files belong to that run alone; choose another --out");
+  }
+  return Status::ok();
 }
 
 /// Ok for an empty folder, and with `replace` for that of an earlier run.
 Status mayReplace(const fs::path& path, bool replace) {
   std::error_code error;
   if (fs::is_empty(path, error)) return Status::ok();
-  if (!holdsRun(path) && !holdsOnlyEmptyLog(path)) {
+  if (!holdsRun(path)) {
     return Status::failed(path.string() +
                           ": is not empty and holds no run; choose an empty or new directory");
   }
@@ -149,7 +148,7 @@ Status mayReplace(const fs::path& path, bool replace) {
 Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
   try {
     if (options.out) {
-      if (Status own = refuseRunPlaces(*options.out, "--out"); !own.isOk()) return own;
+      if (Status own = refuseInsideRun(*options.out); !own.isOk()) return own;
       fs::create_directories(*options.out);
       const fs::path out = fs::canonical(*options.out);
       Result<RunDirectory> directory = lock(out, kOther);
@@ -161,7 +160,7 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
     }
     const std::string name = folderName(options);
     const fs::path named = options.root / name;
-    if (Status own = refuseRunPlaces(named, "--out"); !own.isOk()) return own;
+    if (Status own = refuseInsideRun(named); !own.isOk()) return own;
     const fs::path path = fs::canonical(makeNamed(options, name));
     pointLatestAt(path);
     return lock(path, kOther);
@@ -246,7 +245,7 @@ bool RunDirectory::hasEnded(const std::filesystem::path& path) {
 }
 
 Status RunDirectory::mayTake(const fs::path& path, bool replace) {
-  if (Status own = refuseRunPlaces(path, "--out"); !own.isOk()) return own;
+  if (Status own = refuseInsideRun(path); !own.isOk()) return own;
   std::error_code error;
   if (!fs::exists(path, error)) return Status::ok();
   if (!fs::is_directory(path, error)) {
@@ -264,9 +263,10 @@ std::string RunDirectory::runFileText(nlohmann::ordered_json provenance, RunStat
 }
 
 Status RunDirectory::writeRunFile(const nlohmann::ordered_json& provenance, RunState state) const {
-  const std::string text = runFileText(provenance, state);
-  return writeAtomicallyAt(lock_, "run.json", std::as_bytes(std::span(text.data(), text.size())),
-                           (path_ / "run.json").string(), Sync::Yes);
+  const std::string folder = "/proc/self/fd/" + std::to_string(lock_.number());
+  const Status status = writeAtomically(folder + "/run.json", runFileText(provenance, state));
+  if (status.isOk()) return status;
+  return Status::failed(path_.string() + status.message().substr(folder.size()));
 }
 
 bool holdsRun(const fs::path& directory) {

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "record/run_directory.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
@@ -81,13 +80,9 @@ TEST_CASE("replacing removes an earlier rendering, and nothing else") {
         "loops.txt", ".tolman-rendering"}) {
     touch(folder.path() / ours);
   }
-  for (const char* foreign :
-       {"thesis.tex", "image_0/notes.txt", "image_0/holiday.png", "velodyne/000000.png"}) {
-    touch(folder.path() / foreign);
-  }
+  for (const char* foreign : {"thesis.tex", "velodyne/000000.png"}) touch(folder.path() / foreign);
   REQUIRE(app::KittiFolder::create(folder.path(), true).isOk());
-  CHECK(entries(folder.path()) == 4);  // with the mark of the new one
-  CHECK(entries(folder.path() / "image_0") == 2);
+  CHECK(entries(folder.path()) == 3);  // with the mark of the new one
   CHECK(fs::exists(folder.path() / "thesis.tex"));
   CHECK(fs::exists(folder.path() / "velodyne/000000.png"));
 }
@@ -104,29 +99,6 @@ TEST_CASE("a data set that no rendering has made is not replaced") {
   CHECK(fs::exists(folder.path() / "calib.txt"));
 }
 
-TEST_CASE("two renderings cannot share a folder, and neither a rendering and a run") {
-  const test::TemporaryFolder folder;
-  const fs::path path = fs::canonical(folder.path()) / "out";
-  const std::string refusal =
-      path.string() +
-      ": another rendering or run is writing here; wait for its end, or choose another --out";
-  {
-    const auto first = app::KittiFolder::create(path, false);
-    REQUIRE(first.isOk());
-    touch(path / "image_0/000000.png");
-    for (const bool replace : {false, true}) {
-      CHECK(app::KittiFolder::create(path, replace).status().message() == refusal);
-    }
-    CHECK(fs::exists(path / "image_0/000000.png"));  // the refused one removed nothing
-    record::RunDirectoryOptions options;
-    options.out = path;
-    options.replace = true;
-    CHECK_FALSE(record::RunDirectory::create(options).isOk());
-  }
-  CHECK(app::KittiFolder::create(path, true).isOk());
-  CHECK_FALSE(fs::exists(path / "image_0"));
-}
-
 TEST_CASE("an image that cannot be written is named, and leaves nothing behind") {
   const test::TemporaryFolder folder;
   const auto target = app::KittiFolder::create(folder.path() / "out", false);
@@ -137,7 +109,7 @@ TEST_CASE("an image that cannot be written is named, and leaves nothing behind")
   const Status status = target.value().writeFrame(7, frame, "");
   REQUIRE_FALSE(status.isOk());
   CHECK(status.message() == (folder.path() / "out/image_0/000007.png").string() +
-                                ": its folder cannot be opened; check path and permissions "
+                                ": cannot be created; check folder and permissions "
                                 "(Not a directory)");
   CHECK(entries(folder.path() / "out") == 2);  // with the mark
 }

@@ -74,7 +74,7 @@ TEST_CASE("a plugin that throws or fails is reported with call and frame") {
       {"misbehaving", "throws_an_integer", "answers",
        "frame 3: threw something that is not a std::"},
       {"misbehaving", "throws_in_destructor", "life-unused", "destroy: threw: destructor gives up"},
-      {"misbehaving", "throws_in_finish", "life-no-frames", "finish: threw: finish gives up"},
+      {"misbehaving", "throws_in_finish", "life-unused", "finish: threw: finish gives up"},
   });
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("invalid answers are found") {
        "frame 3: the rotation of 'T_previous_current'"},
       {"answer_faults", "skew_covariance", "answers", "frame 3: 'covariance' is not symmetric"},
       {"answer_faults", "negative_variance", "answers", "'covariance' has a negative variance"},
-      {"answer_faults", "wrong_dt", "answers", "dt is 1.000000 s, the stamps say 0.100000 s"},
+      {"answer_faults", "wrong_dt", "answers", "'dt' is 2 s, the stamps say 0.1 s"},
       {"answer_faults", "future_points", "answers", "points of frame 4"},
       {"answer_faults", "mirror", "answers", "the rotation of 'T_previous_current'"},
       {"answer_faults", "huge_speed", "answers", "'v' is larger than a record takes"},
@@ -125,7 +125,7 @@ TEST_CASE("invalid answers are found") {
       {"role_faults", "counts_more", "answers", "the graph has 0 links, the last update 3"},
       {"role_faults", "more_loops", "answers", "the graph has 0 loop links, the last update 1"},
       {"role_faults", "placed_elsewhere", "answers", "graph: is 5 m and 0 rad from the pose by"},
-      {"role_faults", "told_elsewhere", "answers", "poseOf, frame 3: not the T_world_camera of"},
+      {"role_faults", "told_elsewhere", "answers", "rad from the pose by the update"},
       {"role_faults", "moved_at_the_end", "answers",
        "is 5 m and 0 rad from the pose by graph() of experience 2, which was made there"},
       {"role_faults", "watches_null_graph", "answers", "died of SIGSEGV"},
@@ -135,7 +135,7 @@ TEST_CASE("invalid answers are found") {
 TEST_CASE("violations of the order of calls are found") {
   expectAllFound({
       {"answer_faults", "destructor_needs_configure", "life-unused", "died of SIGSEGV"},
-      {"answer_faults", "finish_needs_frames", "life-no-frames", "nothing to finish"},
+      {"answer_faults", "finish_needs_frames", "life-unused", "nothing to finish"},
       {"answer_faults", "works_once", "life-again", "after finish and reset: "},
   });
 }
@@ -162,9 +162,9 @@ TEST_CASE("results that are not reproducible are found") {
       {"answer_faults", "reset_forgets", "reset", "after finish() and reset() differs at frame 1"},
       {"role_faults", "remembers_drive", "reset",
        "a run after reset() during another drive differs at frame 0: 'score'"},
-      {"answer_faults", "shared_state", "interleaved",
+      {"answer_faults", "shared_state", "deterministic",
        "an instance that alternates with another differs"},
-      {"answer_faults", "thread_local_state", "migration",
+      {"answer_faults", "thread_local_state", "threads",
        "a run with calls from several threads differs"},
       {"answer_faults", "thread_count", "threads",
        "a run with 4 threads instead of 1 differs at frame 1"},
@@ -183,8 +183,8 @@ TEST_CASE("incomplete saved state is found") {
 
 TEST_CASE("side effects on the process are found") {
   expectAllFound({
-      {"process_faults", "write_to_stdout", "globals", "wrote to stdout: 'frame 3 is a fine frame"},
-      {"process_faults", "write_to_stderr", "globals", "wrote to stderr: 'hm", "warning"},
+      {"process_faults", "write_to_stdout", "globals", "wrote to stdout or stderr: 'frame 3 is"},
+      {"process_faults", "write_to_stderr", "globals", "wrote to stdout or stderr: 'hm"},
       {"process_faults", "change_locale", "globals",
        "locale of C was changed; the host restored it"},
       {"process_faults", "install_handler", "globals", "handler of signal 15"},

@@ -9,7 +9,7 @@
 
 #include "end_to_end/process.hpp"
 #include "host/instance.hpp"
-#include "record/output_places.hpp"
+#include "record/atomic_file.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

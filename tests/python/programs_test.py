@@ -245,9 +245,10 @@ class ProgramsTest(Systems):
         self.assertEqual((gain["name"], gain["type"], gain["min"], gain["max"], gain["unit"]),
                          ("gain", "real", 0, 10, "Hz"))
         schema = json.loads(tolman("plugins", "describe", self.folder / "mine.py", "--json-schema").stdout)
-        self.assertEqual(schema["properties"]["gain"]["maximum"], 10)
-        self.assertEqual(schema["properties"]["plugin"]["const"], "python")
-        self.assertIn("file", schema["required"])
+        properties = schema["$defs"]["cells.python"]["properties"]
+        self.assertEqual(properties["gain"]["maximum"], 10)
+        self.assertEqual(properties["plugin"]["const"], "python")
+        self.assertIn("file", properties)
 
     def test_two_programs_in_one_run(self):
         self.write("watch.py", '''

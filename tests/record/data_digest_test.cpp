@@ -36,7 +36,7 @@ TEST_CASE("the digest of a folder is that of the lines that sha256sum writes, in
         sha256(sha256("abc") + "  a.txt\n" + sha256("0.1\n") + "  b/times.txt\n"));
 }
 
-TEST_CASE("a link to another folder is followed, one back to where it is is not entered") {
+TEST_CASE("a link to another folder is followed, one to a folder around it is not") {
   const test::TemporaryFolder folder;
   const test::TemporaryFolder other;
   test::writeFile(folder.path() / "images/1.png", "left");

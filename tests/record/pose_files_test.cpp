@@ -61,19 +61,14 @@ TEST_CASE("quaternions are written with w >= 0") {
 
 TEST_CASE("a KITTI file has one line a frame, also for frames that were dropped") {
   const evaluation::Trajectory poses = {poseAt(1, 0, 1), poseAt(3, 0, 3)};
-  CHECK(kittiText(poses).value() ==
+  CHECK(kittiText(poses) ==
         "1 0 0 0 0 1 0 0 0 0 1 0\n"  // frame 0: nothing known yet
         "1 0 0 0 0 1 0 0 0 0 1 1\n"
         "1 0 0 0 0 1 0 0 0 0 1 1\n"  // frame 2: as before
         "1 0 0 0 0 1 0 0 0 0 1 3\n");
   const std::string line = "1 0 0 0 0 1 0 0 0 0 1 3\n";
-  CHECK(kittiText(poses, 6).value() == kittiText(poses).value() + line + line);
-  CHECK(kittiText(poses, 2).value() == kittiText(poses).value());
-  CHECK_FALSE(kittiText(poses, 1LL << 60).isOk());
-  const evaluation::Trajectory damaged = {poseAt(0, 0, 0), poseAt(1LL << 60, 0, 0)};
-  CHECK(kittiText(damaged).status().message() ==
-        "frame 1152921504606846976 comes where frame 1 was due; the record is damaged");
-  CHECK_FALSE(kittiText(evaluation::Trajectory{poseAt(-1, 0, 0)}).isOk());
+  CHECK(kittiText(poses, 6) == kittiText(poses) + line + line);
+  CHECK(kittiText(poses, 2) == kittiText(poses));
 }
 
 TEST_CASE("the earliest time that there is can be written") {
@@ -100,7 +95,7 @@ TEST_CASE("a TUM file reads back: stamps and positions exactly, rotations to rou
 
 TEST_CASE("a KITTI file reads back exactly: the upper three rows of each matrix") {
   const evaluation::Trajectory poses = randomPoses(200);
-  const auto lines = test::linesOf(kittiText(poses).value());
+  const auto lines = test::linesOf(kittiText(poses));
   REQUIRE(lines.size() == poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const std::vector<double> v = test::numbersOf(lines[i]);
@@ -110,13 +105,4 @@ TEST_CASE("a KITTI file reads back exactly: the upper three rows of each matrix"
             poses[i].T_world_camera.matrix()(cell / 4, cell % 4));
     }
   }
-}
-
-TEST_CASE("a KITTI file refuses frames whose numbers would not be line numbers") {
-  CHECK(kittiText({}).value().empty());
-  CHECK_FALSE(kittiText(std::vector{poseAt(2, 0, 0), poseAt(2, 1, 0)}).isOk());
-  CHECK_FALSE(kittiText(std::vector{poseAt(2, 0, 0), poseAt(1, 1, 0)}).isOk());
-  // A gap of a million frames is a damaged number, not a gap.
-  CHECK(kittiText(std::vector{poseAt(0, 0, 0), poseAt(1000, 1, 0)}).isOk());
-  CHECK_FALSE(kittiText(std::vector{poseAt(0, 0, 0), poseAt(1'000'002, 1, 0)}).isOk());
 }

@@ -2,8 +2,8 @@
 // Run directories and run.json.
 #include "record/run_directory.hpp"
 
+#include "record/atomic_file.hpp"
 #include "record/by_hand.hpp"
-#include "record/output_places.hpp"
 #include "record/recorder.hpp"
 #include "support/data.hpp"
 
