@@ -220,7 +220,7 @@ TEST_CASE("an export that cannot be written, or of a damaged map, is refused wit
   CHECK(
       exportRun(folder.path(), absent).status().message() ==
       (absent / "odometry.tum").string() +
-          ": its folder cannot be opened; check path and permissions (No such file or directory)");
+          ": cannot be created; check folder and permissions (No such file or directory)");
   test::queryByHand(folder.path(), "UPDATE experience SET id = 5");
   CHECK(exportRun(folder.path(), folder.path()).status().message() ==
         (folder.path() / "run.sqlite").string() + ": experience 0 is missing");

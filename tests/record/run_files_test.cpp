@@ -48,18 +48,6 @@ TEST_CASE("a run.json of another program does not make a folder a run") {
   CHECK(RunDirectory::create(byForce(folder.path())).isOk());
 }
 
-TEST_CASE("what a run leaves that could not write its first file may be replaced") {
-  const test::TemporaryFolder folder;
-  std::ofstream(folder.path() / "log.txt").close();
-  CHECK_FALSE(RunDirectory::mayTake(folder.path(), false).isOk());
-  CHECK(RunDirectory::mayTake(folder.path(), true).isOk());
-  put(folder.path() / "log.txt");  // text of another program
-  CHECK_FALSE(RunDirectory::mayTake(folder.path(), true).isOk());
-  std::ofstream(folder.path() / "log.txt").close();
-  put(folder.path() / "other.txt");
-  CHECK_FALSE(RunDirectory::mayTake(folder.path(), true).isOk());
-}
-
 TEST_CASE("whether a directory would be taken is known without touching it") {
   const test::TemporaryFolder folder;
   const fs::path out = fs::canonical(folder.path());
