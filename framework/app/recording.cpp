@@ -102,7 +102,8 @@ SourceValues timesIn(const fs::path& file) {
   const auto& [names, first, second] = lines;
   const SourceValues values = {{"stamps", config::writeText(file.filename().string())}};
   // NUMBER TIME EXPOSURE, as TUM's monocular sets have it: seconds.
-  if (first.size() == 3 && parseNumber(names[0]) && parseNumber(names[1])) return values;
+  std::istringstream exposed(names.empty() ? "" : names[0]);
+  if (double number = 0, time = 0, ms = 0; exposed >> number >> time >> ms) return values;
   for (std::size_t i = 0; i < std::min({names.size(), first.size(), second.size()}); ++i) {
     const bool is_list = i == 0 && names.size() == 1 && parseNumber(names[0]);
     const bool is_column = fits("*time*", names[i]) || fits("*stamp*", names[i]);
