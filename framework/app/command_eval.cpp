@@ -124,10 +124,14 @@ void writeFigure(const EvalFiles& files, const std::vector<Evaluated>& all) {
 
 void evaluateAll(const EvalFiles& files, const Invocation& invocation) {
   if (!files.figure.empty()) refuseExisting({files.figure}, files.replace, "--figure");
-  const auto truth = valueOf(evaluation::readTrajectory(files.truth), ExitCode::Dataset);
+  const auto read = [&](const std::string& file) {
+    return valueOf(evaluation::readTrajectory(file, files.options.readsMatrices()),
+                   ExitCode::Dataset);
+  };
+  const auto truth = read(files.truth);
   std::vector<Evaluated> all;
   for (const std::string& name : files.estimates) {
-    const auto estimate = valueOf(evaluation::readTrajectory(name), ExitCode::Dataset);
+    const auto estimate = read(name);
     const Evaluated& found =
         all.emplace_back(evaluate(files.options, truth, estimate, files.truth, name));
     for (const std::string& text : found.warnings) warn(text, invocation);

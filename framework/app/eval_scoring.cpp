@@ -233,7 +233,7 @@ class Evaluator {
 
 void EvalOptions::addTo(CLI::App& command) {
   addChoice(
-      command, "--like", like, {"tolman", "evo", "kitti", "tum", "rpg"},
+      command, "--like", like, {"tolman", "evo", "kitti", "devkit", "tum", "rpg"},
       "Habits of another tool, for its number (docs/evaluation.md); other options change them");
   addChoice(command, "--align", align, {"none", "origin", "yaw", "se2", "se3", "sim3"},
             "Alignment before the comparison (default: se3)");
@@ -265,6 +265,10 @@ void EvalOptions::addTo(CLI::App& command) {
   addChoice(command, "--path-of", path_of, {"truth", "estimate"},
             "Whose metres and degrees --rpe counts (default: truth)");
   command.add_flag("--path", path, "Also distances between the paths without regard to time");
+}
+
+bool EvalOptions::readsMatrices() const {
+  return evaluation::readsMatrices(named(like, evaluation::Habit::Tolman));
 }
 
 Evaluated evaluate(const EvalOptions& options, const Trajectory& truth, const Trajectory& estimate,

@@ -31,6 +31,8 @@ struct EvalOptions {
   bool path = false;
 
   void addTo(CLI::App& command);
+  /// For readTrajectory().
+  bool readsMatrices() const;
 };
 
 /// The figures of one estimate, and what was found on the way.

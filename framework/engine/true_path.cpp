@@ -93,7 +93,12 @@ Result<TruePath> TruePath::open(const config::EvaluationSettings& settings,
   }
   const auto table =
       settings.truth.empty() && !source_path.empty() ? tableIn(source_path) : std::nullopt;
-  if (settings.truth.empty() && !table) return path;
+  if (settings.truth.empty() && !table) {
+    if (settings.truth_offset == 0) return path;
+    return Status::invalidParameter(
+        "evaluation.truth_offset: the source has a truth of its own, at the times of its images; "
+        "name a file by evaluation.truth, or leave it out");
+  }
   path.file_ = table ? table->file : fs::path(settings.truth);
   Result<evaluation::Trajectory> poses = evaluation::readTrajectory(path.file_);
   if (!poses.isOk() && table && table->is_fallback) return path;

@@ -165,6 +165,7 @@ class Collector {
   Result<Matches> result(const Matching& matching) && {
     const bool by_order = matching.rule == MatchRule::Order;
     if (matches_.size() > 0) {
+      if (last_ + 1 < estimate_.size()) matches_.after = estimate_[last_ + 1];
       matches_.truth_total =
           by_order ? truth_.size()
                    : std::max(matches_.size(), expectedPoses(truth_, matches_.estimate));
@@ -342,6 +343,9 @@ Matches aligned(const Matches& matches, const Similarity& similarity) {
   Matches result = matches;
   for (TrajectoryPose& pose : result.estimate) {
     pose.T_world_camera = similarity.apply(pose.T_world_camera);
+  }
+  if (result.after) {
+    result.after->T_world_camera = similarity.apply(result.after->T_world_camera);
   }
   return result;
 }

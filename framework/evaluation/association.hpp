@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -27,6 +28,7 @@ struct Matches {
   /// Poses that an estimate without gaps would have: by frame all of the truth; by stamp as many
   /// as fit into the time of the truth at the usual rate of the matches.
   std::size_t truth_total = 0;
+  std::optional<TrajectoryPose> after;  ///< the estimate after its last pair, if it goes on
 
   std::size_t size() const { return truth.size(); }
   bool inOnePiece(std::size_t from, std::size_t to) const { return piece[from] == piece[to]; }

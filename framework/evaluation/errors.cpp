@@ -18,27 +18,38 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 using StepPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-Eigen::Isometry3d motionOf(const Trajectory& path, std::size_t from, std::size_t to) {
-  return path[from].T_world_camera.inverse() * path[to].T_world_camera;
+/// `as_written`: of matrices that are no exact rotations.
+Eigen::Isometry3d inverseOf(const Eigen::Isometry3d& T, bool as_written) {
+  return T.inverse(as_written ? Eigen::Affine : Eigen::Isometry);
+}
+Eigen::Isometry3d motionOf(const Trajectory& path, std::size_t from, std::size_t to,
+                           bool as_written = false) {
+  return inverseOf(path[from].T_world_camera, as_written) * path[to].T_world_camera;
 }
 double angleOf(const Eigen::Isometry3d& motion) { return logSo3(motion.linear()).norm() / kDegree; }
+/// By the trace, as programs that take matrices as they are written.
+double traceAngle(const Eigen::Isometry3d& motion) {
+  return std::acos(std::clamp((motion.linear().trace() - 1) / 2, -1.0, 1.0)) / kDegree;
+}
 
-/// What steps are measured in, summed up to each pair.
+/// What steps are measured in, summed up to each pair; for Closest also to the pose after them.
 std::vector<double> sumsOf(const Matches& matches, const Steps& steps) {
   std::vector<double> sums;
-  const Trajectory& path = steps.of_truth ? matches.truth : matches.estimate;
-  for (std::size_t i = 0; i < matches.size(); ++i) {
+  Trajectory estimate = matches.estimate;
+  const bool goes_on = steps.end == StepEnd::Closest && !steps.of_truth && matches.after;
+  if (goes_on) estimate.push_back(*matches.after);
+  const Trajectory& path = steps.of_truth ? matches.truth : estimate;
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
     const double before = i > 0 ? sums.back() : 0;
     switch (steps.unit) {
       case StepUnit::Frames:
-        sums.push_back(static_cast<double>(matches.estimate[i].frame));
+        sums.push_back(static_cast<double>(estimate[i].frame));
         break;
       case StepUnit::Poses:
         sums.push_back(static_cast<double>(i));
         break;
       case StepUnit::Seconds:
-        sums.push_back(1e-9 * static_cast<double>(matches.estimate[i].stamp_ns -
-                                                  matches.estimate[0].stamp_ns));
+        sums.push_back(1e-9 * static_cast<double>(estimate[i].stamp_ns - estimate[0].stamp_ns));
         break;
       case StepUnit::Metres:
         sums.push_back(i == 0 ? 0 : before + motionOf(path, i - 1, i).translation().norm());
@@ -126,11 +137,64 @@ std::optional<double> lengthOf(const Matches& matches, std::size_t from, std::si
   return driven;
 }
 
-/// Sums to means.
-SegmentMean divided(SegmentMean sums) {
-  const double count = std::max(1.0, static_cast<double>(sums.segments));
-  return {sums.length_m, sums.segments, sums.t_rel_percent / count,
-          sums.r_rel_deg_per_100m / count};
+/// Sums of the errors of segments; `single`: in single precision, as KITTI's program has them,
+/// which scales them after it has summed them up.
+class SegmentSums {
+ public:
+  SegmentSums(double length_m, bool single) : single_(single), sums_{length_m, 0, 0, 0} {}
+
+  void add(const Eigen::Isometry3d& error, double length, bool by_trace) {
+    ++sums_.segments;
+    if (!single_) {
+      sums_.t_rel_percent += 100 * error.translation().norm() / length;
+      sums_.r_rel_deg_per_100m += 100 * (by_trace ? traceAngle(error) : angleOf(error)) / length;
+      return;
+    }
+    const Eigen::Vector3f d = error.linear().diagonal().cast<float>();
+    const auto cosine = static_cast<float>(0.5 * ((d[0] + d[1]) + d[2] - 1.0));
+    const float angle = std::acos(std::clamp(cosine, -1.0F, 1.0F));
+    const auto nominal = static_cast<float>(length);
+    t_ += singleNorm(error.translation()) / nominal;
+    r_ += angle / nominal;
+  }
+  void add(const SegmentSums& other) {
+    sums_.segments += other.sums_.segments;
+    sums_.t_rel_percent += other.sums_.t_rel_percent;
+    sums_.r_rel_deg_per_100m += other.sums_.r_rel_deg_per_100m;
+  }
+  SegmentMean means() const {
+    const double count = std::max(1.0, static_cast<double>(sums_.segments));
+    if (single_) {
+      const auto divisor = static_cast<float>(count);
+      return {sums_.length_m, sums_.segments, 100 * static_cast<double>(t_ / divisor),
+              100 * static_cast<double>(r_ / divisor) / kDegree};
+    }
+    return {sums_.length_m, sums_.segments, sums_.t_rel_percent / count,
+            sums_.r_rel_deg_per_100m / count};
+  }
+  static float singleNorm(const Eigen::Vector3d& vector) {
+    const Eigen::Vector3f v = vector.cast<float>();
+    return std::sqrt((v.x() * v.x() + v.y() * v.y()) + v.z() * v.z());
+  }
+
+ private:
+  bool single_;
+  SegmentMean sums_;
+  float t_ = 0;
+  float r_ = 0;
+};
+
+std::vector<double> singleDistances(const Trajectory& path) {
+  std::vector<double> result;
+  float distance = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i > 0) {
+      distance += SegmentSums::singleNorm(path[i].T_world_camera.translation() -
+                                          path[i - 1].T_world_camera.translation());
+    }
+    result.push_back(static_cast<double>(distance));
+  }
+  return result;
 }
 
 /// From each position to the nearest point of the path.
@@ -227,13 +291,14 @@ PathDistance pathDistance(const Trajectory& truth, const Trajectory& aligned) {
 RelativeError relativeError(const Matches& aligned, const Steps& steps) {
   std::vector<double> translations, rotations, lengths, percents;
   for (const auto& [from, to] : stepPairs(aligned, steps)) {
-    const Eigen::Isometry3d truth = motionOf(aligned.truth, from, to);
-    const Eigen::Isometry3d estimate = motionOf(aligned.estimate, from, to);
-    const Eigen::Isometry3d error =
-        steps.in_end_frame ? truth * estimate.inverse() : truth.inverse() * estimate;
+    const Eigen::Isometry3d truth = motionOf(aligned.truth, from, to, steps.as_written);
+    const Eigen::Isometry3d estimate = motionOf(aligned.estimate, from, to, steps.as_written);
+    const Eigen::Isometry3d error = steps.in_end_frame
+                                        ? truth * estimate.inverse()
+                                        : inverseOf(truth, steps.as_written) * estimate;
     const double divisor = steps.divided ? aligned.driven[to] - aligned.driven[from] : 1;
     translations.push_back(error.translation().norm() / divisor);
-    rotations.push_back(angleOf(error) / divisor);
+    rotations.push_back((steps.as_written ? traceAngle(error) : angleOf(error)) / divisor);
     const double length = truth.translation().norm();
     lengths.push_back(std::fabs(estimate.translation().norm() - length));
     if (length > 0) percents.push_back(100 * lengths.back() / length);
@@ -251,43 +316,48 @@ SegmentLengths lengthsFor(double truth_path_length_m) {
 }
 
 SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths,
-                            const Trajectory* whole_truth) {
+                            const Trajectory* whole_truth, bool single) {
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   SegmentErrors result;
   result.lengths = lengths;
-  const std::vector<double> driven = whole_truth ? distances(*whole_truth) : matches.driven;
+  const bool whole = whole_truth != nullptr;
+  const std::vector<double> driven = !whole   ? matches.driven
+                                     : single ? singleDistances(*whole_truth)
+                                              : distances(*whole_truth);
   std::vector<std::size_t> pair(driven.size(), kNone);  // of each place where segments begin or end
-  for (std::size_t i = 0; i < matches.size(); ++i) pair[whole_truth ? matches.index[i] : i] = i;
-  SegmentMean all;
-  for (const double nominal : lengths.lengths_m) {
-    SegmentMean mean{nominal, 0, 0, 0};
-    for (std::size_t start = 0; start < driven.size(); start += kStartEvery) {
+  for (std::size_t i = 0; i < matches.size(); ++i) pair[whole ? matches.index[i] : i] = i;
+  SegmentSums all(0, single);
+  std::vector<SegmentSums> sums;
+  for (const double length : lengths.lengths_m) sums.emplace_back(length, single);
+  for (std::size_t start = 0; start < driven.size(); start += kStartEvery) {
+    for (std::size_t l = 0; l < sums.size(); ++l) {
+      const double nominal = lengths.lengths_m[l];
       const auto end = std::upper_bound(driven.begin(), driven.end(), driven[start] + nominal);
-      if (end == driven.end()) break;
+      if (end == driven.end()) continue;
       const std::size_t from = pair[start],
                         to = pair[static_cast<std::size_t>(end - driven.begin())];
       const auto length = from == kNone || to == kNone ? std::nullopt
-                          : whole_truth                ? std::optional(nominal)
+                          : whole                      ? std::optional(nominal)
                                                        : lengthOf(matches, from, to, nominal);
       if (!length) {
         ++result.segments_in_gaps;
         continue;
       }
       const Eigen::Isometry3d error =
-          motionOf(matches.estimate, from, to).inverse() * motionOf(matches.truth, from, to);
-      mean.t_rel_percent += 100 * error.translation().norm() / *length;
-      mean.r_rel_deg_per_100m += 100 * angleOf(error) / *length;
-      ++mean.segments;
+          inverseOf(motionOf(matches.estimate, from, to, whole), whole) *
+          motionOf(matches.truth, from, to, whole);
+      sums[l].add(error, *length, whole);
+      if (single) all.add(error, *length, whole);
     }
-    all.segments += mean.segments;
-    all.t_rel_percent += mean.t_rel_percent;
-    all.r_rel_deg_per_100m += mean.r_rel_deg_per_100m;
-    result.table.push_back(divided(mean));
   }
-  all = divided(all);
-  result.segments = all.segments;
-  result.t_rel_percent = all.t_rel_percent;
-  result.r_rel_deg_per_100m = all.r_rel_deg_per_100m;
+  for (const SegmentSums& each : sums) {
+    if (!single) all.add(each);
+    result.table.push_back(each.means());
+  }
+  const SegmentMean mean = all.means();
+  result.segments = mean.segments;
+  result.t_rel_percent = mean.t_rel_percent;
+  result.r_rel_deg_per_100m = mean.r_rel_deg_per_100m;
   return result;
 }
 

@@ -65,7 +65,8 @@ enum class StepUnit : std::uint8_t { Frames, Poses, Seconds, Metres, Degrees };
 enum class StepEnd : std::uint8_t {
   First,    ///< at the first pair that is far enough
   Tenth,    ///< at the pair nearest to the length, at most a tenth of it away
-  Closest,  ///< at the pair nearest to the length, be it the first itself; not at the last one
+  Closest,  ///< at the pair nearest to the length, be it the first itself; not at the last pose
+            ///< of the estimate
 };
 /// Over which steps motions are compared.
 struct Steps {
@@ -77,6 +78,7 @@ struct Steps {
   bool over_gaps = false;     ///< also from one piece of the path to the next, by the straight line
   bool divided = false;       ///< errors are divided by the length of the true path
   bool in_end_frame = false;  ///< the difference of translations is seen from the end of the step
+  bool as_written = false;  ///< matrices are taken as they are, even if they are no exact rotations
 };
 /// Frames are those of the estimate: missing ones give no pair. Poses count the matched ones.
 /// Metres and degrees are summed from pair to pair; with Tenth, degrees are the angle between both
@@ -120,9 +122,10 @@ struct SegmentErrors {
 /// length, and segments more than a tenth too long are left out. So are segments that end in
 /// another piece of the path than they begin in (Matches::piece).
 /// `whole_truth`: starts and ends are poses of this truth instead, and segments with an end
-/// without estimate are left out.
+/// without estimate are left out; matrices are taken as they are written. `single`: in the single
+/// precision of that program.
 SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths,
-                            const Trajectory* whole_truth = nullptr);
+                            const Trajectory* whole_truth = nullptr, bool single = false);
 
 struct MotionConsistency {
   std::size_t motions = 0;             ///< tracked motions in metres, with truth at both ends

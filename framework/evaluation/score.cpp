@@ -244,7 +244,8 @@ void scoreMotions(const Matches& pairs, const Trajectory& truth, const Protocol&
   scores.rotation_deg = statistics(rotationErrors(pairs));
   scores.rpe_frame = relativeError(pairs, {});
   scores.rpe_metre = relativeError(pairs, {.unit = StepUnit::Metres, .divided = true});
-  scores.kitti = segmentErrors(pairs, lengths, protocol.whole_segments ? &truth : nullptr);
+  scores.kitti = segmentErrors(pairs, lengths, protocol.whole_segments ? &truth : nullptr,
+                               protocol.single_precision);
   std::ranges::transform(protocol.steps, scores.steps.begin(),
                          [&](const Steps& steps) { return relativeError(pairs, steps); });
 }
@@ -273,7 +274,8 @@ Protocol protocolOf(Habit habit, const Trajectory& truth, const Trajectory& esti
   const auto match = [&](MatchRule rule, std::int64_t limit_ns) {
     if (by_time) protocol.matching = {rule, limit_ns};
   };
-  const bool exact = habit == Habit::Tolman || habit == Habit::Kitti;
+  const bool kitti = readsMatrices(habit);
+  const bool exact = habit == Habit::Tolman || kitti;
   if (exact && usual_ns >= 0) match(MatchRule::Nearest, usual_ns);
   if (habit == Habit::Evo) match(MatchRule::Shorter, 10'000'000);
   if (habit == Habit::Rpg) match(MatchRule::Nearest, 20'000'000);
@@ -281,14 +283,16 @@ Protocol protocolOf(Habit habit, const Trajectory& truth, const Trajectory& esti
     match(MatchRule::Nearest, 20'000'000);
     if (!steps.empty()) match(MatchRule::Each, 2 * medianStep(truth) - 1);
   }
-  protocol.alignment.kind = habit == Habit::Kitti ? Alignment::Origin
+  protocol.alignment.kind = kitti                 ? Alignment::Origin
                             : habit == Habit::Evo ? Alignment::None
                                                   : Alignment::Se3;
   if (habit == Habit::Rpg) protocol.alignment.vertical = Eigen::Vector3d::UnitZ();
-  if (habit == Habit::Kitti) protocol.lengths = kittiLengths();
-  protocol.whole_segments = habit == Habit::Kitti;
+  if (kitti) protocol.lengths = kittiLengths();
+  protocol.whole_segments = kitti;
+  protocol.single_precision = habit == Habit::Devkit;
   for (Steps& each : steps) {
-    if (habit == Habit::Tolman || habit == Habit::Kitti) continue;
+    each.as_written = kitti;
+    if (exact) continue;
     each.of_truth = habit == Habit::Rpg;
     each.over_gaps = true;
     each.end = habit == Habit::Tum ? StepEnd::Closest : StepEnd::Tenth;
@@ -321,6 +325,7 @@ TrajectoryMetrics score(const Trajectory& truth, const Trajectory& estimate,
     T_first_estimate = matches.estimate.front().T_world_camera.inverse();
     matches.truth = movedBy(T_first_truth, std::move(matches.truth));
     matches.estimate = movedBy(T_first_estimate, std::move(matches.estimate));
+    if (matches.after) matches.after = movedBy(T_first_estimate, {*matches.after}).front();
   }
   metrics.reason = whyNotAlignable(matches, rule.kind);
   if (!metrics.reason.empty()) return metrics;

@@ -66,16 +66,21 @@ struct Protocol {
   Matching matching;  ///< by default frame N with frame N
   AlignmentRule alignment;
   std::optional<SegmentLengths> lengths;  ///< of drift; none: lengthsFor() the path
-  bool whole_segments = false;  ///< drift from every 10th true pose, as in segmentErrors()
-  std::vector<Steps> steps;     ///< of further relative errors
-  bool without_time = false;    ///< also distances between the paths
+  bool whole_segments = false;    ///< drift from every 10th true pose, as in segmentErrors()
+  bool single_precision = false;  ///< of that drift
+  std::vector<Steps> steps;       ///< of further relative errors
+  bool without_time = false;      ///< also distances between the paths
 };
 
 /// Whose habits. Their definitions are those of docs/evaluation.md.
-enum class Habit : std::uint8_t { Tolman, Evo, Kitti, Tum, Rpg };
-inline constexpr std::array<std::string_view, 5> kHabitNames = {"tolman", "evo", "kitti", "tum",
-                                                                "rpg"};
+enum class Habit : std::uint8_t { Tolman, Evo, Kitti, Devkit, Tum, Rpg };
+inline constexpr std::array<std::string_view, 6> kHabitNames = {"tolman", "evo", "kitti",
+                                                                "devkit", "tum", "rpg"};
 constexpr std::span<const std::string_view> enumNames(Habit) { return kHabitNames; }
+/// KITTI's programs take matrices as they are written, exact rotations or not.
+constexpr bool readsMatrices(Habit habit) {
+  return habit == Habit::Kitti || habit == Habit::Devkit;
+}
 /// "10 m, consecutive".
 std::string textOf(const Steps& steps);
 /// For files with or without stamps. `steps` have lengths and units, the habit sets the rest; of

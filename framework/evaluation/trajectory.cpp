@@ -155,12 +155,12 @@ std::int64_t stampNs(std::string_view word, int digits) {
   return text_encoding::parseSeconds(word, digits).value_or(std::llround(seconds * 1e9));
 }
 
-Eigen::Matrix3d checkedRotation(const Eigen::Matrix3d& R) {
+Eigen::Matrix3d checkedRotation(const Eigen::Matrix3d& R, bool as_written) {
   const double error = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(error < kRotationTolerance) || R.determinant() < 0) {
     throw LineError("the rotation part is not a rotation matrix");
   }
-  return Eigen::Quaterniond(R).normalized().toRotationMatrix();
+  return as_written ? R : Eigen::Quaterniond(R).normalized().toRotationMatrix();
 }
 
 /// Which columns of a table hold what; -1: none.
@@ -288,7 +288,7 @@ bool beginsWithNumber(std::string_view line) {
   return !words.empty() && text_encoding::parseNumber(words.front()).has_value();
 }
 
-TrajectoryPose poseOf(const Words& entries, const Columns& columns) {
+TrajectoryPose poseOf(const Words& entries, const Columns& columns, bool as_written) {
   if (static_cast<int>(entries.size()) != columns.count) {
     throw LineError(fmt::format("expected {}, found {}", columns.format, entries.size()));
   }
@@ -305,7 +305,7 @@ TrajectoryPose poseOf(const Words& entries, const Columns& columns) {
       const std::string_view entry = word(columns.matrix + i);
       rows.data()[i] = i % 4 == 3 ? coordinate(entry) : number(entry);
     }
-    pose.T_world_camera.linear() = checkedRotation(rows.leftCols<3>());
+    pose.T_world_camera.linear() = checkedRotation(rows.leftCols<3>(), as_written);
     pose.T_world_camera.translation() = rows.col(3);
     return pose;
   }
@@ -383,7 +383,7 @@ Result<std::string> textOf(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
+Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_written) {
   const Result<std::string> text = textOf(file);
   if (!text.isOk()) return Status::invalidInput(file.string() + ": " + text.status().message());
   if (const std::string problem = text_encoding::encodingProblem(text.value()); !problem.empty()) {
@@ -408,7 +408,7 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
         const bool fits = comment && comment->count == static_cast<int>(entries.size());
         columns = fits ? *comment : columnsOf(entries);
       }
-      append(trajectory, poseOf(entries, *columns), *columns);
+      append(trajectory, poseOf(entries, *columns, as_written), *columns);
       cut_line.check(entries.back(), !stream.eof());
     } catch (const LineError& error) {
       return Status::invalidInput(file.string() + ":" + std::to_string(number_of_line) + ": " +

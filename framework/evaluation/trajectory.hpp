@@ -73,7 +73,8 @@ double pathLength(const Trajectory& trajectory);
 /// tables, where w comes first.
 ///
 /// Stamps must grow; they are read exactly to the nanosecond. Without frames, these are counted
-/// from 0; without stamps, these are 0. Positions alone have equal orientations.
-Result<Trajectory> readTrajectory(const std::filesystem::path& file);
+/// from 0; without stamps, these are 0. Positions alone have equal orientations. Matrices become
+/// exact rotations, unless `as_written`.
+Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_written = false);
 
 }  // namespace tolman::evaluation

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "stamped_poses.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::image_folders {
@@ -50,18 +51,9 @@ StampedFiles sortedByTimes(std::vector<std::filesystem::path> images, TimeUnit u
 /// KITTI's poses: T_world_camera0 as 12 numbers per line, row by row.
 std::vector<Eigen::Isometry3d> readKittiPoses(const std::filesystem::path& file);
 
-/// True poses with their own times, which increase.
-struct StampedPoses {
-  std::vector<std::int64_t> stamps_ns;
-  std::vector<Eigen::Isometry3d> T_world_camera;
-};
+using source_parameters::StampedPoses;
 
 /// Lines "seconds tx ty tz qx qy qz qw", as the TUM benchmarks have them.
 StampedPoses readTumPoses(const std::filesystem::path& file);
-
-/// The pose at `stamp_ns`, interpolated between the measured ones before and after it; empty if one
-/// of these is more than `apart_ns` away.
-std::optional<Eigen::Isometry3d> poseAt(const StampedPoses& poses, std::int64_t stamp_ns,
-                                        std::int64_t apart_ns);
 
 }  // namespace tolman::image_folders

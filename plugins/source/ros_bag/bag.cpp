@@ -23,8 +23,8 @@ bool isImage(const BagTopic& topic) {
 bool isUsed(const BagTopic& topic) {
   const bool is_known =
       topic.topic.encoding == kCdrEncoding || topic.topic.encoding == kRos1Encoding;
-  return is_known &&
-         (isImage(topic) || topic.isOf(kCameraInfo) || topic.isOf(kImu) || topic.isOf(kOdometry));
+  return is_known && (isImage(topic) || topic.isOf(kCameraInfo) || topic.isOf(kImu) ||
+                      isPoses(topic.topic.type));
 }
 
 bool isBagName(const fs::path& file) {
@@ -182,7 +182,8 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, BagMessage message, Bytes
     return;
   }
   if (!isUsed(known)) return;
-  const std::optional<std::int64_t> stamp = headerStamp(known.message(bytes));
+  const std::optional<std::int64_t> stamp =
+      isTransforms(topic.type) ? log_ns : headerStamp(known.message(bytes));  // each has its own
   if (!stamp) {
     known.findings.push_back(
         damagedMessage(latestOf(known), bytes.empty() ? "is empty" : "is damaged in its header"));
@@ -213,7 +214,7 @@ void Bag::sortByTime(BagTopic& topic) {
                       "has " + std::to_string(without) + " messages without a time in their header",
                       "record it again; they are left out"));
     std::erase_if(topic.index, [](const BagMessage& message) { return !message.has_stamp; });
-  } else if (without > 0 && (isImage(topic) || topic.isOf(kOdometry))) {
+  } else if (without > 0 && (isImage(topic) || isPoses(topic.topic.type))) {
     topic.findings.push_back(contradiction(
         Severity::Warning, name,
         "has no time in any header; the times of recording are used, which are later", ""));
@@ -234,7 +235,8 @@ void Bag::sortByTime(BagTopic& topic) {
                       "they are left out"));
     topic.index.erase(topic.index.begin(), key);
   }
-  if (!isImage(topic) && !topic.isOf(kOdometry)) return;
+  const bool one_each = isPoses(topic.topic.type) && !isTransforms(topic.topic.type);
+  if (!isImage(topic) && !one_each) return;
   const auto same = std::ranges::unique(topic.index, {}, &BagMessage::stamp_ns);
   if (same.empty()) return;
   topic.findings.push_back(

@@ -15,6 +15,7 @@ struct BagParameters : FrameSelection, source_parameters::CameraParameters {
   std::string depth;
   std::string imu;
   std::string odometry;
+  std::string truth;
 
   static constexpr auto declaration();
 };
@@ -30,7 +31,10 @@ constexpr auto sensorTopics() {
           .doc("Topic for the sensors imu.*; empty: the only one of its type, if there is one."),
       parameter("odometry", &P::odometry)
           .doc("Topic for the sensor motion.planar; empty: the only one of its type, if there is "
-               "one."));
+               "one."),
+      parameter("truth", &P::truth)
+          .doc("Topic of true poses (Odometry, PoseStamped, PoseWithCovarianceStamped, "
+               "TransformStamped), or of tf with its frames: `/tf world camera`."));
 }
 
 constexpr auto BagParameters::declaration() {

@@ -70,6 +70,11 @@ Status BagSource::prepare(const Context& context) {
   if (!status.isOk()) return status;
   const std::pair frames_ns(chosen_.left->index[table_.rows.front().left].stamp_ns,
                             chosen_.left->index[table_.rows.back().left].stamp_ns);
+  if (chosen_.truth != nullptr) {
+    status =
+        truth_.load(*bag_, *chosen_.truth, TruthName::of(parameters_.truth), frames_ns, *findings_);
+    if (!status.isOk()) return status;
+  }
   return side_.load(*bag_, chosen_.imu, chosen_.odometry, frames_ns, *findings_);
 }
 
@@ -80,7 +85,7 @@ std::int64_t BagSource::imageStampNs(std::int64_t source_index) const {
 Status BagSource::reportTopics() const {
   const bool given = parameters_.isGiven();  // then CameraInfo is not used
   for (const BagTopic* topic :
-       {chosen_.left, chosen_.right, chosen_.depth, chosen_.imu, chosen_.odometry,
+       {chosen_.left, chosen_.right, chosen_.depth, chosen_.imu, chosen_.odometry, chosen_.truth,
         given ? nullptr : chosen_.left_info, given ? nullptr : chosen_.right_info}) {
     if (topic == nullptr) continue;
     for (const Finding& finding : topic->findings) findings_->add(finding);
@@ -201,6 +206,7 @@ Status BagSource::info(SourceInfo& info) {
   info.description += rigs_.suffix();
   info.rig = rigs_.rectified;
   info.frames = sequence_.size();
+  info.has_truth = !truth_.isEmpty();
   return Status::ok();
 }
 
@@ -218,6 +224,9 @@ Status BagSource::next(Frame& frame) {
   frame.source_index = sequence_.sourceIndex(frame.frame);
   const std::int64_t before = sequence_.sourceIndex(std::max<std::int64_t>(frame.frame - 1, 0));
   side_.measure(imageStampNs(before), imageStampNs(frame.source_index), frame.sensors);
+  const auto truth = truth_.at(imageStampNs(frame.source_index));
+  frame.has_truth = truth.has_value();
+  if (truth) frame.T_world_camera_truth = *truth;
   const FrameRow& row = table_.rows[static_cast<std::size_t>(frame.source_index)];
   // Of a damaged image both of the pair are left out: one alone would look like a single camera.
   const auto leaveOut = [&](const BagTopic& topic, std::size_t index, const Status& status) {
@@ -315,14 +324,15 @@ Status BagSource::describe(std::vector<ArrayInfo>& arrays) const {
 }
 
 std::string BagSource::roleOf(const BagTopic& topic) const {
-  const std::array<std::pair<const BagTopic*, const char*>, 7> roles = {
+  const std::array<std::pair<const BagTopic*, const char*>, 8> roles = {
       {{chosen_.left, "left"},
        {chosen_.right, "right"},
        {chosen_.left_info, "left_info"},
        {chosen_.right_info, "right_info"},
        {chosen_.depth, "depth"},
        {chosen_.imu, "imu"},
-       {chosen_.odometry, "odometry"}}};
+       {chosen_.odometry, "odometry"},
+       {chosen_.truth, "truth"}}};
   for (const auto& [used, name] : roles) {
     if (used == &topic) return std::string(", used as ") + name;
   }

@@ -14,6 +14,7 @@
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 #include "topic_choice.hpp"
+#include "true_poses.hpp"
 #include "used_bits.hpp"
 #include "video_pictures.hpp"
 
@@ -50,6 +51,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   ChosenTopics chosen_;
   FrameTable table_;
   SideMeasurements side_;
+  TruePoses truth_;
   std::map<const BagTopic*, std::unique_ptr<coded_video::PacketDecoder>> decoders_;
   ImageSize size_;
   ImageSize depth_size_;

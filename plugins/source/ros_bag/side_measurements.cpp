@@ -13,13 +13,13 @@ namespace {
 
 float f(double value) { return static_cast<float>(value); }
 
+}  // namespace
+
 std::string secondsText(std::int64_t ns) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3f s", static_cast<double>(ns) * 1e-9);
   return text.data();
 }
-
-}  // namespace
 
 Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odometry,
                               std::pair<std::int64_t, std::int64_t> frames_ns,

@@ -19,6 +19,9 @@
 
 namespace tolman::ros_bag {
 
+/// "1749315324.903 s".
+std::string secondsText(std::int64_t ns);
+
 class SideMeasurements {
  public:
   /// Reads all messages of the topics that are not null. `frames_ns`: the first and the last time

@@ -126,16 +126,17 @@ Status chooseInfo(const Topics& topics, const char* parameter, const std::string
   return found.status();
 }
 
-/// The topic of a sensor: the named one, or the only one of its type.
+/// The topic of a sensor: the named one, or the only one of its type beside the truth.
 Status chooseSensor(const Topics& topics, const char* parameter, const std::string& name,
-                    std::string_view type, const BagTopic*& sensor,
+                    std::string_view type, const BagTopic* truth, const BagTopic*& sensor,
                     std::vector<Finding>& undecided) {
   if (!name.empty()) {
     const auto found = named(topics, parameter, name, one(type));
     if (found.isOk()) sensor = found.value();
     return found.status();
   }
-  const std::vector<const BagTopic*> all = topicsOf(topics, one(type));
+  std::vector<const BagTopic*> all = topicsOf(topics, one(type));
+  std::erase(all, truth);
   if (all.size() == 1) sensor = all.front();
   if (all.size() > 1) {
     undecided.push_back({Finding::Severity::Warning, listed(all),
@@ -160,8 +161,17 @@ Result<ChosenTopics> chooseTopics(const Topics& topics, const BagParameters& p) 
     if (depth.isOk()) chosen.depth = depth.value();
     then(depth.status());
   }
-  then(chooseSensor(topics, "imu", p.imu, kImu, chosen.imu, chosen.undecided));
-  then(chooseSensor(topics, "odometry", p.odometry, kOdometry, chosen.odometry, chosen.undecided));
+  if (status.isOk() && !p.truth.empty()) {
+    const auto truth = named(topics, "truth", TruthName::of(p.truth).topic, kPoseTypes);
+    if (truth.isOk()) chosen.truth = truth.value();
+    then(truth.status());
+  }
+  const auto sensor = [&](const char* parameter, const std::string& name, std::string_view type,
+                          const BagTopic*& topic) {
+    then(chooseSensor(topics, parameter, name, type, chosen.truth, topic, chosen.undecided));
+  };
+  sensor("imu", p.imu, kImu, chosen.imu);
+  sensor("odometry", p.odometry, kOdometry, chosen.odometry);
   if (!status.isOk()) return status;
   return chosen;
 }

@@ -8,6 +8,7 @@
 
 #include "bag.hpp"
 #include "bag_parameters.hpp"
+#include "true_poses.hpp"
 
 namespace tolman::ros_bag {
 
@@ -20,6 +21,7 @@ struct ChosenTopics {
   const BagTopic* depth = nullptr;
   const BagTopic* imu = nullptr;
   const BagTopic* odometry = nullptr;
+  const BagTopic* truth = nullptr;
   std::vector<Finding> undecided;  ///< sensors with several topics, none of them chosen
 };
 

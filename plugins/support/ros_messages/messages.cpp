@@ -174,16 +174,38 @@ std::optional<ImuMessage> readImu(const Message& message) {
   return imu;
 }
 
+namespace {
+
+OdometryMessage readPose(FieldReader& fields, bool has_child) {
+  OdometryMessage pose;
+  pose.stamp_ns = readStamp(fields);
+  pose.frame = fields.text();
+  if (has_child) pose.child_frame = fields.text();
+  pose.position = fields.numbers<3>();
+  pose.orientation = fields.numbers<4>();
+  const bool finite = areFinite(pose.position) && areFinite(pose.orientation);
+  if (!finite || !isRotation(pose.orientation)) fields.fail();
+  return pose;
+}
+
+}  // namespace
+
+std::optional<std::vector<OdometryMessage>> readPoses(std::string_view type,
+                                                      const Message& message) {
+  FieldReader fields(message);
+  const bool many = isTransforms(type);
+  std::vector<OdometryMessage> poses;
+  for (std::size_t left = many ? fields.count(1) : 1; left > 0 && fields.ok(); --left) {
+    poses.push_back(readPose(fields, many || type == kOdometry || type == kTransform));
+  }
+  if (!fields.ok()) return std::nullopt;
+  return poses;
+}
+
 std::optional<OdometryMessage> readOdometry(const Message& message) {
   FieldReader fields(message);
-  OdometryMessage odometry;
-  odometry.stamp_ns = readStamp(fields);
-  odometry.frame = fields.text();
-  odometry.child_frame = fields.text();
-  odometry.position = fields.numbers<3>();
-  odometry.orientation = fields.numbers<4>();
-  const bool finite = areFinite(odometry.position) && areFinite(odometry.orientation);
-  if (!fields.ok() || !finite || !isRotation(odometry.orientation)) return std::nullopt;
+  OdometryMessage odometry = readPose(fields, true);
+  if (!fields.ok()) return std::nullopt;
   fields.numbers<36>();  // covariance
   const std::array<double, 3> velocity = fields.numbers<3>();
   const std::array<double, 3> angular_velocity = fields.numbers<3>();

@@ -3,6 +3,7 @@
 // Units are those of ROS: rad/s, m/s^2, m.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,19 @@ inline bool isVideo(std::string_view type) {
 inline constexpr std::string_view kCameraInfo = "sensor_msgs/msg/CameraInfo";
 inline constexpr std::string_view kImu = "sensor_msgs/msg/Imu";
 inline constexpr std::string_view kOdometry = "nav_msgs/msg/Odometry";
+inline constexpr std::string_view kTransform = "geometry_msgs/msg/TransformStamped";
+inline constexpr std::array<std::string_view, 6> kPoseTypes = {
+    kOdometry,
+    kTransform,
+    "geometry_msgs/msg/PoseStamped",
+    "geometry_msgs/msg/PoseWithCovarianceStamped",
+    "tf2_msgs/msg/TFMessage",
+    "tf/msg/tfMessage"};
+inline bool isPoses(std::string_view type) {
+  return std::ranges::find(kPoseTypes, type) != kPoseTypes.end();
+}
+/// Messages of tf, with any number of poses.
+inline bool isTransforms(std::string_view type) { return isPoses(type) && type.starts_with("tf"); }
 
 struct ImageMessage {
   std::int64_t stamp_ns = 0;
@@ -96,5 +110,8 @@ std::optional<VideoMessage> readVideo(std::string_view type, const Message& mess
 std::optional<CameraInfoMessage> readCameraInfo(const Message& message);
 std::optional<ImuMessage> readImu(const Message& message);
 std::optional<OdometryMessage> readOdometry(const Message& message);
+/// The poses of a message of kPoseTypes, without velocities.
+std::optional<std::vector<OdometryMessage>> readPoses(std::string_view type,
+                                                      const Message& message);
 
 }  // namespace tolman::ros_messages
