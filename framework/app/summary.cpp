@@ -33,7 +33,7 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
                                  metrics.in_metres ? "m" : "units of unknown scale", metrics.poses);
   if (!metrics.scores) return text + fmt::format("; no error figures: {}\n", metrics.reason);
   const evaluation::Scores& s = *metrics.scores;
-  text += fmt::format("; matched {}; coverage {:.1f} %\n", metrics.matched, 100 * s.coverage);
+  text += fmt::format("; {} with truth; coverage {:.1f} %\n", metrics.matched, 100 * s.coverage);
   text +=
       fmt::format("{:<10}ATE rmse {:.3f} m  (mean {:.3f}, median {:.3f}, min {:.3f}, max {:.3f})\n",
                   "", s.ate_m.rmse, s.ate_m.mean, s.ate_m.median, s.ate_m.min, s.ate_m.max);

@@ -111,10 +111,13 @@ std::optional<Finding> RectifiedSource::alternation() {
 void RectifiedSource::addTruth(Frame& frame) {
   truth_.apply(frame);
   if (std::exchange(checked_truth_, true) || findings_ == nullptr) return;
-  if (const std::string problem = truth_.clockProblem(frame); !problem.empty()) {
+  const auto warn = [&](const std::string& problem, const char* remedy) {
+    if (problem.empty()) return;
     findings_->add("evaluation", {Finding::Severity::Warning, truth_.file().string(), problem,
-                                  "set evaluation.truth_offset", Finding::Kind::Contradiction});
-  }
+                                  remedy, Finding::Kind::Contradiction});
+  };
+  warn(truth_.clockProblem(frame), "set evaluation.truth_offset");
+  warn(truth_.pointProblem(), "");
 }
 
 void RectifiedSource::change(Frame& frame) const {

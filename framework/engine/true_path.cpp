@@ -64,10 +64,11 @@ std::optional<Table> tableIn(const fs::path& folder) {
     if (!T_camera_imu) T_camera_imu = matrixOf(folder / "dso/camchain.yaml", "T_cam_imu");
     if (!T_camera_imu && T_body_camera) T_camera_imu = T_body_camera->inverse();
     if (!T_camera_imu) continue;
-    for (const char* sensor : {"state_groundtruth_estimate0", "mocap0", "vicon0", "leica0"}) {
-      const fs::path file = root / sensor / "data.csv";
+    for (const char* name : {"state_groundtruth_estimate0/data.csv", "mocap0/data.csv",
+                             "vicon0/data.csv", "leica0/data.csv", "gt_imu.csv"}) {
+      const fs::path file = root / name;
       if (!isTruthFile(file)) continue;
-      const auto T_body_sensor = matrixOf(root / sensor / "sensor.yaml", "T_BS");
+      const auto T_body_sensor = matrixOf(file.parent_path() / "sensor.yaml", "T_BS");
       return Table{file, *T_camera_imu * T_body_sensor.value_or(Eigen::Isometry3d::Identity()),
                    false};
     }
@@ -108,13 +109,12 @@ Result<TruePath> TruePath::open(const config::EvaluationSettings& settings,
   path.offset_ns_ = std::llround(settings.truth_offset * kNanoseconds);
   path.longest_gap_ns_ = evaluation::usualGap(path.poses_);
   path.nearest_ = settings.truth_match == config::TruthMatch::Nearest;
-  if (table && !body && evaluation::hasOrientations(path.poses_)) {
-    path.T_body_raw_ = path.T_body_camera_ = table->T_camera_body.inverse();
-  }
+  path.is_point_ = table && !evaluation::hasOrientations(path.poses_);
+  if (table && !body) path.T_body_raw_ = path.T_body_camera_ = table->T_camera_body.inverse();
   if (body && !evaluation::hasOrientations(path.poses_)) {
     return Status::invalidInput(path.file_.string() +
                                 ": has positions alone, so that evaluation.body cannot be taken "
-                                "off; leave it out");
+                                "off; score odometry.tum by `tolman eval --body` instead");
   }
   return path;
 }
@@ -142,9 +142,18 @@ void TruePath::apply(Frame& frame) const {
   frame.has_truth = pose.has_value();
   frame.T_world_camera_truth = Eigen::Isometry3d::Identity();
   const auto& first = poses_.front().T_world_camera;
-  if (pose) {
-    frame.T_world_camera_truth = (first * T_body_camera_).inverse() * *pose * T_body_camera_;
-  }
+  const Eigen::Isometry3d T = is_point_ ? Eigen::Isometry3d::Identity() : T_body_camera_;
+  if (pose) frame.T_world_camera_truth = (first * T).inverse() * *pose * T;
+}
+
+std::string TruePath::pointProblem() const {
+  const Eigen::Vector3d p = T_body_camera_.inverse().translation();
+  if (!is_point_ || p.norm() < 1e-3) return "";
+  return fmt::format(
+      "has positions alone, of a point beside the camera, and errors contain its "
+      "way about the camera; without it: `tolman eval {} odometry.tum "
+      "--body={:.4f},{:.4f},{:.4f}`",
+      file_.string(), p.x(), p.y(), p.z());
 }
 
 std::string TruePath::clockProblem(const Frame& frame) const {

@@ -36,6 +36,8 @@ class TruePath {
   void apply(Frame& frame) const;
   /// Why the frame cannot have a true pose, nor any near it: the clocks differ. Else empty.
   std::string clockProblem(const Frame& frame) const;
+  /// That the table beside the images has positions alone, and of which point. Else empty.
+  std::string pointProblem() const;
 
  private:
   std::filesystem::path file_;
@@ -47,6 +49,7 @@ class TruePath {
   bool nearest_ = false;
   bool is_fallback_ = false;
   bool has_body_ = false;  ///< by evaluation.body
+  bool is_point_ = false;  ///< a table beside the images has positions alone
 };
 
 }  // namespace tolman::engine

@@ -70,7 +70,7 @@ TEST_CASE("figures name their alignment, coverage and segments") {
   scored.scores->kitti.lengths.name = "short";
   scored.scores->kitti.t_rel_percent = 1.5;
   CHECK(app::trajectoryText("odometry", scored) ==
-        "odometry  path 60.10 m over 51 poses; matched 51; coverage 50.0 %\n"
+        "odometry  path 60.10 m over 51 poses; 51 with truth; coverage 50.0 %\n"
         "          ATE rmse 0.123 m  (mean 0.000, median 0.000, min 0.000, max 0.000)\n"
         "          drift 1.500 %, 0.000 deg/100 m  (20 segments, short lengths)\n");
   scored.scores->vertical_m.count = 51;

@@ -117,6 +117,26 @@ TEST_CASE("a folder of EuRoC finds its truth, which becomes that of the rectifie
   }
 }
 
+TEST_CASE("positions of a prism are taken as they are, and named as those of another point") {
+  const Folder folder;
+  folder.write("mav0/cam0/sensor.yaml", kCamera);
+  std::string table = "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m]\n";
+  for (int ms = 0; ms <= 100; ms += 50)
+    table += fmt::format("{}000000,1,2,{}\n", kEpochMs + ms, ms);
+  folder.write("mav0/leica0/data.csv", table);
+  folder.write("mav0/leica0/sensor.yaml",
+               "T_BS:\n  data: [1, 0, 0, 0.1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]\n");
+  TruePath path = opened({}, folder.folder.path().string());
+  Frame frame = frameAt(kEpochMs + 75);
+  path.apply(frame);
+  CHECK(frame.T_world_camera_truth.isApprox(Eigen::Isometry3d(Eigen::Translation3d(0, 0, 75))));
+  const Eigen::Vector3d prism = cameraInBody().inverse() * Eigen::Vector3d(0.1, 0, 0);
+  CHECK_THAT(path.pointProblem(),
+             Catch::Contains(fmt::format("--body={:.4f},{:.4f}", prism.x(), prism.y())));
+  path = opened({}, "");
+  CHECK(path.pointProblem().empty());
+}
+
 TEST_CASE("a named file has the truth of a part, never across a gap, at the clock of the images") {
   const Folder folder;
   config::EvaluationSettings settings;

@@ -57,7 +57,10 @@ std::vector<fs::path> calibrationFiles(const EurocParameters& p, const fs::path&
                                        bool is_pair) {
   if (!p.calibration.empty()) return {p.calibration};
   std::error_code ignored;
-  if (!fs::exists(root / "cam0/sensor.yaml", ignored)) return {root / "camchain.yaml"};
+  if (!fs::exists(root / "cam0/sensor.yaml", ignored)) {
+    const fs::path of_tumvi = fs::path(p.path) / "dso/camchain.yaml";  // beside its mav0
+    return {fs::exists(of_tumvi, ignored) ? of_tumvi : root / "camchain.yaml"};
+  }
   if (!is_pair) return {root / "cam0/sensor.yaml"};
   return {root / "cam0/sensor.yaml", root / "cam1/sensor.yaml"};
 }

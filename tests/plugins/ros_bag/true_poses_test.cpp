@@ -139,7 +139,7 @@ TEST_CASE("no truth across a gap; a transform is named; a truth of another time 
   REQUIRE(gap.frames.size() == 10);
   std::string known;
   for (const Frame& frame : gap.frames) known += frame.has_truth ? '1' : '0';
-  CHECK(known == "0111000111");
+  CHECK(known == "0111000011");
   CHECK(
       Played(file, truthIs("/truth map camera")).message ==
       "truth: /truth has no pose of 'camera' in 'map'; name topic, frame and child frame, one of: "
