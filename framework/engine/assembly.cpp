@@ -74,7 +74,7 @@ void Assembly::add(std::unique_ptr<host::Instance> instance, const config::Stage
       source_ = std::make_unique<RectifiedSource>(
           std::move(instance), checked_.config.rectification, checked_.config.images);
       source_->judgeBy(*findings_);
-      source_->setTruth(truePath(stage.instance));
+      source_->setTruth(truePath(stage));
       break;
     case Role::Odometry:
       odometry_ = std::make_unique<host::OdometryStage>(std::move(instance));
@@ -95,9 +95,11 @@ void Assembly::add(std::unique_ptr<host::Instance> instance, const config::Stage
   }
 }
 
-TruePath Assembly::truePath(const std::string& source) {
-  const config::EvaluationSettings& settings = checked_.config.evaluation;
-  const auto& values = checked_.values.find(source)->second;
+TruePath Assembly::truePath(const config::StageConfig& source) {
+  config::EvaluationSettings settings = checked_.config.evaluation;
+  // A replayed run has the truth of its camera already.
+  if (source.plugin == "record" && settings.truth.empty()) settings = {};
+  const auto& values = checked_.values.find(source.instance)->second;
   const auto found = values.find("path");
   const auto* folder = found == values.end() ? nullptr : std::get_if<std::string>(&found->second);
   Result<TruePath> path = TruePath::open(settings, folder == nullptr ? "" : *folder);

@@ -70,7 +70,7 @@ class Assembly {
   };
 
   void add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage);
-  TruePath truePath(const std::string& source);
+  TruePath truePath(const config::StageConfig& source);
 
   CheckedSystem checked_;
   SourceInfo info_;

@@ -99,6 +99,18 @@ TEST_CASE("cells and map on recorded answers give the same bytes as with the fro
   CHECK(data.answers("copy") == data.answers("run"));
 }
 
+TEST_CASE("the body of the truth is taken off once, not again in a replay") {
+  Recorded data;
+  const std::string body = "evaluation.body=0.2,0,-1.5";
+  Words settings = recording();
+  settings.push_back(body);
+  REQUIRE(data.run("motion.yaml", "run", settings).exit_code == 0);
+  const Finished again = data.run("again.yaml", "again", {"seed=7", body});
+  INFO(again.err);
+  REQUIRE(again.exit_code == 0);
+  CHECK(data.text("again/results.sha256") == data.text("run/results.sha256"));
+}
+
 TEST_CASE("noise on recorded motion is drawn from the seed") {
   Recorded data;
   REQUIRE(data.run("motion.yaml", "run", {"record.replay=true"}).exit_code == 0);
