@@ -6,14 +6,12 @@
 #include "app/options.hpp"
 #include "app/program.hpp"
 #include "experiment/bench.hpp"
-#include "experiment/bench_places.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {
 namespace {
 
-/// Refuses overrides that are not parameters of place recognition: the second pass may differ from
-/// the first only in these.
+/// The second pass may differ from the first only in parameters of place recognition.
 std::string isOfPlace(const std::string& override) {
   const bool is_parameter = override.starts_with("place.") && !override.starts_with("place.plugin");
   return is_parameter ? "" : "'" + override + "' is no parameter of place (place.NAME=VALUE)";

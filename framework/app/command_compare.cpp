@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman compare: tables and figures of many runs.
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
-#include <iterator>
 
 #include "app/options.hpp"
 #include "config/text.hpp"
 #include "experiment/figures.hpp"
 #include "record/atomic_file.hpp"
 #include "record/data_digest.hpp"
-#include "report/raster.hpp"
+#include "report/svg.hpp"
 
 namespace tolman::app {
 namespace {

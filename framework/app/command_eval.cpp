@@ -113,10 +113,11 @@ void writeFigure(const EvalFiles& files, const std::vector<Evaluated>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const evaluation::Scores& scores = *all[i].metrics.scores;
     curves.push_back({std::filesystem::path(files.estimates[i]).filename().string(),
-                      report::lineColour(i), scores.driven_m, scores.errors_m});
+                      report::lineColour(i), scores.pairs.driven,
+                      evaluation::positionErrors(scores)});
   }
   const auto free = report::Range::none();
-  const std::string svg = experiment::curveFigure(
+  const std::string svg = report::curveFigure(
       {"Position error after alignment", "driven path (m)", "error (m)", free, free, {}}, curves,
       {880, 380});
   failUnless(record::writeOutputs({{files.figure, svg}}));

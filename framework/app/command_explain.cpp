@@ -10,8 +10,8 @@
 #include "engine/services.hpp"
 #include "experiment/tables.hpp"
 #include "record/atomic_file.hpp"
-#include "report/raster.hpp"
 #include "report/run_data.hpp"
+#include "report/svg.hpp"
 
 namespace tolman::app {
 namespace {

@@ -75,8 +75,7 @@ struct ExportCommand {
   bool nwb = false;
   bool npz = false;
 
-  /// Files of a chosen session go to their own folder: results.sha256 has digests of those in
-  /// `run`.
+  /// A chosen session has its own folder: results.sha256 has digests of the files in `run`.
   fs::path folder() const {
     if (!out.path.empty()) return out.path;
     return session < 0 ? fs::path(run) : fs::path(run) / ("session-" + std::to_string(session));

@@ -154,8 +154,7 @@ std::vector<std::string> pointCommand(const std::string& program, std::size_t jo
   return words;
 }
 
-/// Progress on stderr: on a terminal a line that is redrawn, otherwise one for each run that has
-/// ended.
+/// Progress on stderr: on a terminal one line, otherwise one for each run that has ended.
 ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, const fs::path& out,
                  const Invocation& invocation) {
   const engine::Interrupts interrupts;

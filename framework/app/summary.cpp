@@ -14,11 +14,10 @@
 namespace tolman::app {
 namespace {
 
-std::string errorText(const char* name, const std::optional<evaluation::ErrorFigures>& error,
+std::string errorText(const char* name, const evaluation::Statistics& error,
                       const std::string& unit) {
-  if (!error) return "";
-  return fmt::format("{} error median {:.1f}, 90 % {:.1f} {}", name, error->median, error->p90,
-                     unit);
+  if (error.count == 0) return "";
+  return fmt::format("{} error median {:.1f}, 90 % {:.1f} {}", name, error.median, error.p90, unit);
 }
 
 /// "1 link", "2 links".
@@ -64,7 +63,7 @@ std::string bodyText(const evaluation::Extrinsic& body) {
 
 std::string cellsText(const evaluation::CellFigures& cells) {
   std::vector<std::string> parts;
-  for (const evaluation::RingFigures& ring : cells.rings) {
+  for (const evaluation::PopulationFigures& ring : cells.rings) {
     parts.push_back(errorText("heading", ring.error_deg, "deg"));
   }
   if (!cells.sheets.empty()) {
@@ -113,9 +112,6 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   text += row("alignment", evaluation::alignmentText(metrics));
   if (metrics.body) text += bodyText(*metrics.body);
   text += trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
-  if (!metrics.no_cells.empty()) {
-    text += fmt::format("{:<10}WARNING no figures: {}\n", "cells", metrics.no_cells);
-  }
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
 }
 

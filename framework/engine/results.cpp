@@ -14,9 +14,9 @@
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/export.hpp"
-#include "report/map_picture.hpp"
+#include "report/figures.hpp"
 #include "report/page.hpp"
-#include "report/raster.hpp"
+#include "report/svg.hpp"
 
 namespace tolman::engine {
 namespace {
@@ -31,7 +31,7 @@ Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitC
   auto data =
       report::readRun(run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
   if (!data.isOk()) return data.status();
-  auto page = report::makePage(run, std::move(data).value(), units);
+  auto page = report::makePage(run.directory(), std::move(data).value(), units);
   if (page.isOk()) page.value().settings = tree;
   return page;
 }
@@ -210,7 +210,7 @@ Result<std::vector<fs::path>> writeReport(
 
 Status writeReport(const record::RunReader& reader, report::RunData data,
                    const std::string& run_file) {
-  auto page = report::makePage(reader, std::move(data));
+  auto page = report::makePage(reader.directory(), std::move(data));
   if (!page.isOk()) return page.status();
   page.value().provenance = nlohmann::ordered_json::parse(run_file);
   page.value().killed = false;

@@ -13,8 +13,8 @@
 
 #include "config/system_config.hpp"
 #include "record/run_reader.hpp"
+#include "report/figures.hpp"
 #include "report/run_data.hpp"
-#include "report/units.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::engine {

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <string>
 #include <tuple>
 
 namespace tolman::evaluation {

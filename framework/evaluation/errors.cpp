@@ -239,9 +239,11 @@ Statistics statistics(std::vector<double> values) {
     result.rmse += value * value / count;
   }
   result.rmse = std::sqrt(result.rmse);
-  const std::size_t middle = values.size() / 2;
-  result.median =
-      values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+  double squares = 0;
+  for (const double value : values) squares += (value - result.mean) * (value - result.mean);
+  if (values.size() > 1) result.deviation = std::sqrt(squares / (count - 1));
+  result.median = quantile(values, 0.5);
+  result.p90 = quantile(values, 0.9);
   result.min = values.front();
   result.max = values.back();
   return result;

@@ -22,7 +22,9 @@ struct Statistics {
   std::size_t count = 0;
   double rmse = 0;
   double mean = 0;
-  double median = 0;  ///< of an even count: the mean of the middle two
+  double deviation = 0;  ///< standard deviation, n - 1; 0 for one value
+  double median = 0;     ///< of an even count: the mean of the middle two
+  double p90 = 0;        ///< 90th percentile
   double min = 0;
   double max = 0;
 };

@@ -43,10 +43,9 @@ struct TuningCurve {
   /// Length and direction of the mean vector of the curve: 1 for one direction only, 0 for none.
   double mean_vector_length = 0;
   double preferred = 0;  ///< rad in [0, 2 pi)
-  /// rad, half the width of the curve at half of its peak, as the rat's head direction cells are
-  /// measured (Taube, Muller, Ranck 1990); pi for a curve that never falls to half. Bins without
-  /// visits are interpolated. None where fewer than half of all bins were visited, or without
-  /// activity.
+  /// rad, half the width at half of the peak, as of the rat's head direction cells (Taube, Muller,
+  /// Ranck 1990); pi for a curve that never falls to half. Bins without visits are interpolated.
+  /// None where fewer than half of all bins were visited, or without activity.
   std::optional<double> half_width;
 };
 TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins);
@@ -74,6 +73,26 @@ struct Correlation {
   double value() const;  ///< NaN where x or y is constant
 };
 
+/// (sum of p_i r_i)^2 / sum of p_i r_i^2: share of the environment where the unit fires (Skaggs et
+/// al., "Theta phase precession ...", Hippocampus 6, 1996). None without activity.
+std::optional<double> sparsity(const RateMap& map);
+
+/// Fisher's z of the correlation between the rate of each bin and the mean of the bins around it
+/// (Muller, Kubie, "The firing of hippocampal place cells predicts the future position of freely
+/// moving rats", J. Neurosci. 9, 1989). None where the rate is the same everywhere.
+std::optional<double> coherence(const RateMap& map);
+
+/// (c - d) / (c + d) with c, the largest share of a wall that one field covers, and d, the mean
+/// distance of all fields from the nearest wall, weighted by rate, as a share of half the shorter
+/// side (Solstad et al., "Representation of geometric borders in the entorhinal cortex", Science
+/// 322, 2008). Walls are the sides of the map; fields have more than 0.3 of the highest rate and
+/// 0.02 m^2. None without fields, and where more than half of the box is free: roads have no walls.
+std::optional<double> borderScore(const RateMap& map);
+
+/// Correlation of rate and speed (Kropff et al., "Speed cells in the medial entorhinal cortex",
+/// Nature 523, 2015), over the samples that count. None where one of them is constant.
+std::optional<double> speedScore(const std::vector<Sample>& samples);
+
 // Grid scores: how well the autocorrelogram of a rate map agrees with itself when it is rotated.
 //
 // The autocorrelogram holds, for each displacement, the correlation of the map with itself over the
@@ -97,9 +116,8 @@ struct GridScores {
   double spacing = 0;  ///< m, distance of the nearest peaks
   /// rad, smallest angle of a nearest peak from the axis to the right, to the left of it.
   double orientation = 0;
-  /// Longer over shorter axis of the ellipse through the nearest peaks (Krupic et al., "Grid cell
-  /// symmetry is shaped by environmental geometry", Nature 518, 2015): 1 for a regular lattice.
-  /// NaN with fewer than three pairs of peaks.
+  /// Longer over shorter axis of the ellipse through the nearest peaks (Krupic et al., Nature 518,
+  /// 2015): 1 for a regular lattice. NaN with fewer than three pairs of peaks.
   double ellipticity = 0;
 };
 

@@ -6,9 +6,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <optional>
 
 #include "tolman/fields.hpp"
 
@@ -23,43 +21,31 @@ constexpr double kNearLoop = 5.5;  // m of driven path
 constexpr double kWrongPose = 1;    // m
 constexpr double kWrongSigmas = 5;  // standard deviations
 
-/// True position and driven path at each frame.
+/// True pose and driven path at each frame.
 class TruePlaces {
  public:
   TruePlaces(const Trajectory& truth, double storey_height)
-      : driven_(distances(truth)), storey_height_(storey_height) {
+      : rule_{.distance_m = kSamePlace, .height_m = storey_height} {
+    const std::vector<double> driven = distances(truth);
     for (std::size_t i = 0; i < truth.size(); ++i) {
-      places_[truth[i].frame] = {truth[i].T_world_camera, driven_[i]};
+      places_[truth[i].frame] = {truth[i].T_world_camera, driven[i]};
     }
-  }
-  /// From one frame to the other; nothing where one of them has no true pose.
-  std::optional<Eigen::Vector3d> apart(std::int64_t a, std::int64_t b) const {
-    const Eigen::Isometry3d* first = poseOf(a);
-    const Eigen::Isometry3d* second = poseOf(b);
-    if (first == nullptr || second == nullptr) return std::nullopt;
-    return second->translation() - first->translation();
-  }
-  std::optional<bool> same(std::int64_t a, std::int64_t b) const {
-    const auto apart = this->apart(a, b);
-    if (!apart) return std::nullopt;
-    if (storey_height_ > 0 && std::abs(apart->y()) > storey_height_) return false;
-    return apart->norm() <= kSamePlace;
   }
   /// Null where there is none.
   const Eigen::Isometry3d* poseOf(std::int64_t frame) const {
     const auto found = places_.find(frame);
-    return found == places_.end() ? nullptr : &found->second.T_world_camera;
+    return found == places_.end() ? nullptr : &found->second.first;
   }
-  double driven(std::int64_t frame) const { return places_.at(frame).driven; }
+  std::optional<bool> same(std::int64_t a, std::int64_t b) const {
+    const Eigen::Isometry3d *first = poseOf(a), *second = poseOf(b);
+    if (first == nullptr || second == nullptr) return std::nullopt;
+    return isSamePlace(*first, *second, rule_);
+  }
+  double driven(std::int64_t frame) const { return places_.at(frame).second; }  ///< m
 
  private:
-  struct TruePosition {
-    Eigen::Isometry3d T_world_camera;
-    double driven = 0;  ///< m
-  };
-  std::vector<double> driven_;
-  double storey_height_;  ///< m; 0: none
-  std::map<std::int64_t, TruePosition> places_;
+  RevisitRule rule_;
+  std::map<std::int64_t, std::pair<Eigen::Isometry3d, double>> places_;
 };
 
 /// Compares a measured pose with the true one.
@@ -74,40 +60,6 @@ void judgePose(const PlaceObservation& view, const Eigen::Isometry3d& then,
   const bool other_storey = storey_height > 0 && std::abs(height) > storey_height;
   const bool wrong = off.norm() > kWrongPose && *loop.error_sigmas > kWrongSigmas;
   loop.is_true = !other_storey && !wrong && off.norm() <= kSamePlace;
-}
-
-/// Counts links; returns the driven path (m) at each true loop.
-std::vector<double> countLinks(const std::vector<JudgedLoop>& loops, const TruePlaces& truth,
-                               LoopFigures& figures) {
-  std::vector<double> closed;
-  for (const JudgedLoop& loop : loops) {
-    const bool known = truth.poseOf(loop.frame) != nullptr;
-    if (known && loop.is_true.value_or(false)) closed.push_back(truth.driven(loop.frame));
-    if (loop.rejected) continue;
-    ++(!loop.is_true   ? figures.unknown_links
-       : *loop.is_true ? figures.true_links
-                       : figures.false_links);
-  }
-  return closed;
-}
-
-void countViews(const std::vector<PlaceObservation>& places, const TruePlaces& truth,
-                const std::vector<double>& closed, LoopFigures& figures) {
-  const auto learned = framesOfTemplates(places);
-  for (const PlaceObservation& place : places) {
-    const auto old = learned.find(place.template_id);
-    if (place.recognition != Recognition::Familiar) continue;
-    const auto same = old == learned.end() ? std::nullopt : truth.same(place.frame, old->second);
-    if (!same) {
-      ++figures.unknown_views;
-      continue;
-    }
-    ++(*same ? figures.true_views : figures.false_views);
-    const bool is_closed = *same && std::ranges::any_of(closed, [&](double at) {
-      return std::abs(truth.driven(place.frame) - at) <= kNearLoop;
-    });
-    if (is_closed) ++figures.true_views_closed;
-  }
 }
 
 }  // namespace
@@ -197,10 +149,12 @@ std::vector<JudgedLoop> judgeLoops(const MapGraph& graph,
     loop.earlier = std::min(frameOf(link.from), frameOf(link.to));
     loop.rejected = graph.isRejected(link);
     if (i < graph.residuals.size()) loop.residual = graph.residuals[i];
-    if (const auto apart = true_places.apart(frameOf(link.from), frameOf(link.to))) {
-      loop.apart_m = apart->norm();
+    const std::int64_t from = frameOf(link.from), to = frameOf(link.to);
+    loop.is_true = true_places.same(from, to);
+    if (loop.is_true) {
+      loop.apart_m =
+          (true_places.poseOf(to)->translation() - true_places.poseOf(from)->translation()).norm();
     }
-    loop.is_true = true_places.same(frameOf(link.from), frameOf(link.to));
     const auto view = views.find(link.frame);
     const auto then = view == views.end() ? learned.end() : learned.find(view->second->template_id);
     if (then == learned.end()) continue;
@@ -217,9 +171,28 @@ LoopFigures loopFigures(const std::vector<JudgedLoop>& loops,
                         const std::vector<PlaceObservation>& places, const Trajectory& truth,
                         double storey_height) {
   const TruePlaces true_places(truth, storey_height);
+  const auto learned = framesOfTemplates(places);
   LoopFigures figures;
-  const std::vector<double> closed = countLinks(loops, true_places, figures);
-  countViews(places, true_places, closed, figures);
+  std::vector<double> closed;  // driven path at each true loop, m
+  for (const JudgedLoop& loop : loops) {
+    const bool known = true_places.poseOf(loop.frame) != nullptr;
+    if (known && loop.is_true.value_or(false)) closed.push_back(true_places.driven(loop.frame));
+    if (loop.rejected) continue;
+    ++(!loop.is_true   ? figures.unknown_links
+       : *loop.is_true ? figures.true_links
+                       : figures.false_links);
+  }
+  for (const PlaceObservation& place : places) {
+    if (place.recognition != Recognition::Familiar) continue;
+    const auto old = learned.find(place.template_id);
+    const auto same =
+        old == learned.end() ? std::nullopt : true_places.same(place.frame, old->second);
+    ++(!same ? figures.unknown_views : *same ? figures.true_views : figures.false_views);
+    const auto isNear = [&](double at) {
+      return std::abs(true_places.driven(place.frame) - at) <= kNearLoop;
+    };
+    if (same && *same && std::ranges::any_of(closed, isNear)) ++figures.true_views_closed;
+  }
   return figures;
 }
 

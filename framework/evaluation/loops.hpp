@@ -56,9 +56,8 @@ std::string loopsText(std::span<const Revisit> revisits, const RevisitRule& rule
 
 /// A loop link of the map against the truth. A link of a view with a measured pose is judged by the
 /// error of that pose, height included: the place may be far ahead and the pose right. It is false
-/// if the error is more than a metre and more than five of its standard deviations, or more than
-/// 10 m. Others, and where the truth has no orientations, are judged by how far apart their ends
-/// are: false if more than 10 m.
+/// if the error is over a metre and over five of its standard deviations, or over 10 m. Others,
+/// and where the truth has no orientations, are false if their ends are more than 10 m apart.
 struct JudgedLoop {
   std::int64_t link = -1;
   std::int64_t frame = -1;        ///< at which the loop was seen

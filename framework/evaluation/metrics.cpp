@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
-#include <vector>
 
 #include "evaluation/recorded_cells.hpp"
 #include "tolman/fields.hpp"
@@ -20,58 +19,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json reasonJson(const std::string& reason) { return reason.empty() ? Json() : Json(reason); }
+Json textOrNone(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-Json errorJson(const std::optional<ErrorFigures>& error, const std::string& unit) {
-  return {{"median_" + unit, error ? Json(error->median) : Json()},
-          {"p90_" + unit, error ? Json(error->p90) : Json()},
-          {"frames", error ? error->count : 0}};
+Json errorJson(const Statistics& error, const std::string& unit) {
+  const bool known = error.count > 0;
+  return {{"median_" + unit, known ? Json(error.median) : Json()},
+          {"p90_" + unit, known ? Json(error.p90) : Json()},
+          {"frames", error.count}};
 }
 
-Json scoreJson(const std::optional<UnitScore>& score) {
-  if (!score) return nullptr;
-  return {{"median", score->median},
-          {"chance", score->chance},
-          {"shuffled_median", score->shuffled_median},
-          {"share_above_chance", score->share_better}};
-}
-
-Json ringJson(const RingFigures& ring) {
-  return {{"array", ring.array},
-          {"units", ring.units},
-          {"error", errorJson(ring.error_deg, "deg")},
-          {"mean_vector_length", scoreJson(ring.scores.mean_vector_length)},
-          {"half_width_deg", scoreJson(ring.scores.half_width_deg)},
-          {"spatial_information_bits", scoreJson(ring.scores.information_bits)},
-          {"speed_score", scoreJson(ring.scores.speed)}};
-}
-
-Json sheetJson(const SheetFigures& sheet) {
-  return {
-      {"array", sheet.array},
-      {"units", sheet.units},
-      {"period", sheet.period},
-      {"period_unit", sheet.unit},
-      {"grid_score_square", scoreJson(sheet.scores.square)},
-      {"grid_score_sargolini", scoreJson(sheet.scores.sargolini)},
-      {"grid_score_langston", scoreJson(sheet.scores.langston)},
-      {"spatial_information_bits", scoreJson(sheet.scores.information_bits)},
-      {"spacing_m", scoreJson(sheet.scores.spacing)},
-      {"orientation_deg", scoreJson(sheet.scores.orientation_deg)},
-      {"ellipticity", scoreJson(sheet.scores.ellipticity)},
-      {"sparsity", scoreJson(sheet.scores.sparsity)},
-      {"coherence", scoreJson(sheet.scores.coherence)},
-      {"border_score", scoreJson(sheet.scores.border)},
-      {"speed_score", scoreJson(sheet.scores.speed)},
-      {"rate_map",
-       {{"bin_m", sheet.scores.bin},
-        {"smoothing_m", sheet.scores.smoothing},
-        {"smoothed", {"grid_score", "spacing", "orientation", "ellipticity", "border_score"}}}}};
+/// `json` has the members of the kind of population, and gets one for each score.
+Json withScores(const PopulationFigures& of, Json json) {
+  for (std::size_t i = 0; i < of.scores.kinds.size(); ++i) {
+    Json& score = json[std::string(of.scores.kinds[i].key)];
+    const auto& known = of.scores.scores[i];
+    if (!known) continue;
+    score = {{"median", known->median},
+             {"chance", known->chance},
+             {"shuffled_median", known->shuffled_median},
+             {"share_above_chance", known->share_better}};
+  }
+  return json;
 }
 
 constexpr std::size_t kShuffles = 200;
-/// Shortest shift of a unit's activity (Boccara et al. 2010). In a run shorter than ten times this,
-/// it is a tenth of the run.
+/// Shortest shift (Boccara et al. 2010), but at most a tenth of the run.
 constexpr double kMinShift = 20;  // s
 constexpr double kMargin = 0.1;   // share of the extent, around the decodable positions
 
@@ -134,14 +106,13 @@ void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPo
     if (at == truth.end()) continue;
     errors.push_back(scale * decoder->error(modules, positionOf(at->second)));
   }
-  figures.position_m = errorFigures(std::move(errors));
-  if (sheets.size() == 1 && figures.position_m) {
+  figures.position_m = statistics(std::move(errors));
+  if (sheets.size() == 1 && figures.position_m.count > 0) {
     figures.modulo_m = scale * sheets[0].info.axes[0].period;
   }
 }
 
-/// Options for one population. figures.least_shift_s is the longest of the shortest shifts of all
-/// populations.
+/// Also sets figures.least_shift_s, the longest of all populations.
 Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
   const double least = std::min(kMinShift, units.seconds / 10);
   const double share = units.seconds > 0 ? least / units.seconds : 0.1;
@@ -156,9 +127,9 @@ Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
 Json toJson(const CellFigures& cells) {
   Json position = errorJson(cells.position_m, "m");
   position["modulo_m"] = cells.modulo_m > 0 ? Json(cells.modulo_m) : Json();
-  position["reason"] = reasonJson(cells.position_reason);
+  position["reason"] = textOrNone(cells.position_reason);
   Json json{{"places", cells.truth ? "truth" : "map"},
-            {"reason", reasonJson(cells.reason)},
+            {"reason", textOrNone(cells.reason)},
             {"position_error", std::move(position)},
             {"head_direction", Json::array()},
             {"grid", Json::array()},
@@ -167,8 +138,24 @@ Json toJson(const CellFigures& cells) {
             {"seed", cells.seed},
             {"occupancy_unit", "s"},
             {"speed_limit_m_s", cells.speed_limit}};
-  for (const RingFigures& ring : cells.rings) json["head_direction"].push_back(ringJson(ring));
-  for (const SheetFigures& sheet : cells.sheets) json["grid"].push_back(sheetJson(sheet));
+  for (const PopulationFigures& ring : cells.rings) {
+    json["head_direction"].push_back(
+        withScores(ring, {{"array", ring.array},
+                          {"units", ring.units},
+                          {"error", errorJson(ring.error_deg, "deg")}}));
+  }
+  for (const PopulationFigures& sheet : cells.sheets) {
+    json["grid"].push_back(withScores(
+        sheet, {{"array", sheet.array},
+                {"units", sheet.units},
+                {"period", sheet.period},
+                {"period_unit", sheet.unit},
+                {"rate_map",
+                 {{"bin_m", sheet.scores.bin},
+                  {"smoothing_m", sheet.scores.smoothing},
+                  {"smoothed",
+                   {"grid_score", "spacing", "orientation", "ellipticity", "border_score"}}}}}));
+  }
   return json;
 }
 
@@ -187,48 +174,28 @@ std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory
   } else {
     figures.reason = figures.position_reason = scored.reason;
   }
-  for (const PopulationHistory& ring : cells.rings) {
-    const RecordedUnits units = unitsAt(ring, places, measuredUnits(ring), figures.truth);
-    figures.speed_limit = units.speed_limit;
-    auto errors = figures.truth ? headingErrorsDeg(ring, places) : std::vector<double>();
-    figures.rings.push_back({ring.info.name, ring.activity[0].size(),
-                             errorFigures(std::move(errors)),
-                             scoreRing(units, shufflingOf(units, figures))});
-  }
-  for (const PopulationHistory& sheet : cells.sheets) {
-    const RecordedUnits units = unitsAt(sheet, places, measuredUnits(sheet), figures.truth);
-    const ArrayAxis& axis = sheet.info.axes[0];
-    figures.speed_limit = units.speed_limit;
-    figures.sheets.push_back(
-        {sheet.info.name, sheet.activity[0].size(), axis.period, axis.unit,
-         scoreSheet(units, periodInMetres(sheet), shufflingOf(units, figures))});
+  for (const auto* list : {&cells.rings, &cells.sheets}) {
+    for (const PopulationHistory& population : *list) {
+      const bool is_ring = list == &cells.rings;
+      const RecordedUnits units =
+          unitsAt(population, places, measuredUnits(population), figures.truth);
+      const Shuffling shuffling = shufflingOf(units, figures);
+      const ArrayAxis& axis = population.info.axes[0];
+      figures.speed_limit = units.speed_limit;
+      PopulationFigures& of = (is_ring ? figures.rings : figures.sheets)
+                                  .emplace_back(PopulationFigures{population.info.name,
+                                                                  population.activity[0].size(),
+                                                                  {},
+                                                                  {},
+                                                                  axis.period,
+                                                                  axis.unit});
+      of.scores = is_ring ? scoreRing(units, shuffling)
+                          : scoreSheet(units, periodInMetres(population), shuffling);
+      if (is_ring && figures.truth) of.error_deg = statistics(headingErrorsDeg(population, places));
+    }
   }
   return figures;
 }
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json sessionsJson(const Metrics& metrics) {
-  Json json = Json::array();
-  for (const SessionFigures& s : metrics.sessions) {
-    json.push_back({{"name", s.name},
-                    {"first_frame", s.first_frame},
-                    {"frames", s.frames},
-                    {"experiences", s.experiences},
-                    {"parts", s.parts}});
-  }
-  return json;
-}
-
-Json timingJson(const std::map<std::string, StageTiming>& timing) {
-  Json json = Json::object();
-  for (const auto& [stage, t] : timing) json[stage] = toJson(t);
-  return json;
-}
-
-}  // namespace
 
 MapCounts countsOf(const MapGraph& graph, std::int64_t loop_decisions) {
   MapCounts counts;
@@ -247,9 +214,8 @@ MapCounts countsOf(const MapGraph& graph, std::int64_t loop_decisions) {
 
 StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
   std::vector<double> ms;
-  ms.reserve(durations_ns.size());
   for (const std::int64_t ns : durations_ns) ms.push_back(static_cast<double>(ns) * 1e-6);
-  std::sort(ms.begin(), ms.end());
+  std::ranges::sort(ms);
   const Statistics s = statistics(ms);
   const auto percentile = [&](std::size_t p) {
     return ms.empty() ? 0 : ms[(ms.size() - 1) * p / 100];
@@ -323,30 +289,37 @@ Json toJson(const StageTiming& timing) {
 }
 
 Json toJson(const Metrics& metrics) {
-  const bool known = metrics.odometry.scores && metrics.map.scores;
-  Json coverage;
-  if (known) coverage = std::min(metrics.odometry.scores->coverage, metrics.map.scores->coverage);
-  Json json = {{"verdicts", verdictsOf(metrics)},
-               {"alignment", enumName(metrics.alignment)},
-               {"odometry", toJson(metrics.odometry)},
-               {"map", toJson(metrics.map)},
-               {"nees", toJson(metrics.motions)},
-               {"coverage", coverage},
-               {"frames", metrics.frames},
-               {"templates", metrics.templates},
-               {"experiences", metrics.counts.experiences},
-               {"links", metrics.counts.links},
-               {"loop_links", metrics.counts.loop_links},
-               {"rejected_loop_links", metrics.counts.rejected_loop_links},
-               {"loop_decisions", metrics.counts.loop_decisions},
-               {"loops", metrics.loops ? toJson(*metrics.loops) : Json()},
-               {"truth_sha256", metrics.truth_sha256.empty() ? Json() : Json(metrics.truth_sha256)},
-               {"parts", metrics.parts},
-               {"sessions", sessionsJson(metrics)},
-               {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},
-               {"timing", timingJson(metrics.timing)}};
+  const auto& [odometry, map] = std::tie(metrics.odometry.scores, metrics.map.scores);
+  Json sessions = Json::array(), timing = Json::object();
+  for (const SessionFigures& s : metrics.sessions) {
+    sessions.push_back({{"name", s.name},
+                        {"first_frame", s.first_frame},
+                        {"frames", s.frames},
+                        {"experiences", s.experiences},
+                        {"parts", s.parts}});
+  }
+  for (const auto& [stage, t] : metrics.timing) timing[stage] = toJson(t);
+  Json json = {
+      {"verdicts", verdictsOf(metrics)},
+      {"alignment", enumName(metrics.alignment)},
+      {"odometry", toJson(metrics.odometry)},
+      {"map", toJson(metrics.map)},
+      {"nees", toJson(metrics.motions)},
+      {"coverage", odometry && map ? Json(std::min(odometry->coverage, map->coverage)) : Json()},
+      {"frames", metrics.frames},
+      {"templates", metrics.templates},
+      {"experiences", metrics.counts.experiences},
+      {"links", metrics.counts.links},
+      {"loop_links", metrics.counts.loop_links},
+      {"rejected_loop_links", metrics.counts.rejected_loop_links},
+      {"loop_decisions", metrics.counts.loop_decisions},
+      {"loops", metrics.loops ? toJson(*metrics.loops) : Json()},
+      {"truth_sha256", textOrNone(metrics.truth_sha256)},
+      {"parts", metrics.parts},
+      {"sessions", std::move(sessions)},
+      {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},
+      {"timing", std::move(timing)}};
   if (metrics.body) json["body"] = toJson(*metrics.body);
-  if (!metrics.no_cells.empty()) json["cells_reason"] = metrics.no_cells;
   return json;
 }
 

@@ -20,21 +20,14 @@
 
 namespace tolman::evaluation {
 
-/// A population of head direction cells.
-struct RingFigures {
+/// A population of head direction cells, or one module of grid cells.
+struct PopulationFigures {
   std::string array;
   std::size_t units = 0;
-  std::optional<ErrorFigures> error_deg;  ///< of the population vector against the true heading
-  RingScores scores;
-};
-
-/// A population of grid cells: one module.
-struct SheetFigures {
-  std::string array;
-  std::size_t units = 0;
-  double period = 0;
-  std::string unit;  ///< of the period
-  SheetScores scores;
+  PopulationScores scores;
+  Statistics error_deg{};  ///< of a ring: population vector against true heading; count 0: unknown
+  double period = 0;       ///< of a module
+  std::string unit{};      ///< of the period
 };
 
 struct CellFigures {
@@ -45,9 +38,9 @@ struct CellFigures {
   std::size_t shuffles = 0;
   double least_shift_s = 0;
   double speed_limit = 0;  ///< m/s; slower samples do not count in maps, curves and scores
-  std::vector<RingFigures> rings;
-  std::vector<SheetFigures> sheets;
-  std::optional<ErrorFigures> position_m;  ///< of the position that all modules decode
+  std::vector<PopulationFigures> rings;
+  std::vector<PopulationFigures> sheets;
+  Statistics position_m;        ///< of the position that all modules decode; count 0: unknown
   double modulo_m = 0;          ///< a single module gives positions modulo this; 0: several modules
   std::string position_reason;  ///< why the modules give no position
 };
@@ -111,7 +104,6 @@ struct Metrics {
   std::int64_t parts = 0;  ///< connected parts of the map
   std::vector<SessionFigures> sessions;
   std::optional<CellFigures> cells;  ///< none where no activity was recorded
-  std::string no_cells;  ///< why there are none although arrays were recorded; mostly empty
 };
 
 /// What to know of a run before its numbers, most important first: false loops, a map worse than
@@ -128,8 +120,7 @@ MapCounts countsOf(const MapGraph& graph, std::int64_t loop_decisions);
 
 StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns);
 
-/// Unknown numbers are null, with the cause in `reason`. Top-level `coverage` is the smaller of the
-/// two.
+/// Unknown numbers are null, with the cause in `reason`. `coverage` is the smaller of the two.
 nlohmann::ordered_json toJson(const Metrics& metrics);
 nlohmann::ordered_json toJson(const StageTiming& timing);
 

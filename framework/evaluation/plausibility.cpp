@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -34,12 +32,13 @@ struct Misfit {
   double whole() const { return std::hypot(translation, rotation); }
 };
 
-/// A way of reading the poses under which truth and estimate agree.
+/// A way of reading the poses under which truth and estimate agree. `name` is that of the row of
+/// the table, the same for all lengths of stretches.
 struct Hypothesis {
-  std::string name;  ///< of the row of the table
+  std::string name;
   std::string text;  ///< "the true poses are world to camera"
-  Misfit before;     ///< of the poses as they are read
-  Misfit after;
+  Misfit before{};   ///< of the poses as they are read
+  Misfit after{};
 };
 
 using Motions = std::vector<Stretch>;
@@ -85,22 +84,17 @@ bool explains(const Misfit& before, const Misfit& after, double noticeable) {
          (better(before.rotation, after.rotation) && kept(before.translation, after.translation));
 }
 
-Pose inverse(const Pose& T) { return T.inverse(); }
-
-Pose transposed(const Pose& T) {
-  Pose other = T;
-  other.linear().transposeInPlace();
-  return other;
+Pose withRotation(Pose T, const Eigen::Matrix3d& R) {
+  T.linear() = R;
+  return T;
 }
-
+Pose inverse(const Pose& T) { return T.inverse(); }
+Pose transposed(const Pose& T) { return withRotation(T, T.linear().transpose()); }
 /// x y z w, read from a file that has w x y z.
 Pose reordered(const Pose& T) {
   const Eigen::Quaterniond q(T.linear());
-  Pose other = T;
-  other.linear() = Eigen::Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix();
-  return other;
+  return withRotation(T, Eigen::Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix());
 }
-
 template <int axis>
 Pose mirrored(const Pose& T) {
   Pose other = T;
@@ -122,19 +116,16 @@ constexpr std::array kPoseReadings = {
     PoseReading{"positions have the wrong sign in z", mirrored<2>},
 };
 
-Trajectory readAs(Trajectory path, const PoseReading& reading) {
-  for (TrajectoryPose& pose : path) pose.T_world_camera = reading.meant(pose.T_world_camera);
-  return path;
-}
-
 double angleOf(const Eigen::Matrix3d& R) {
   return Eigen::AngleAxisd(R).angle() * 180 / std::numbers::pi;
 }
 
 Matches reversed(Matches matches) {
-  Trajectory& truth = matches.truth;
-  for (std::size_t i = 0; i < truth.size() / 2; ++i) {
-    std::swap(truth[i].T_world_camera, truth[truth.size() - 1 - i].T_world_camera);
+  std::vector<Pose> poses;
+  for (const TrajectoryPose& pose : matches.truth) poses.push_back(pose.T_world_camera);
+  for (TrajectoryPose& pose : matches.truth) {
+    pose.T_world_camera = poses.back();
+    poses.pop_back();
   }
   return matches;
 }
@@ -145,7 +136,7 @@ double alignedError(const Matches& matches) {
   return similarity.isOk() ? absoluteError(aligned(matches, similarity.value())).rmse : 0;
 }
 
-/// Collects the hypotheses that hold.
+/// The table of hypotheses, over stretches of several lengths.
 class Table {
  public:
   Table(const Trajectory& truth, const Matches& matches, bool free_scale, bool by_stamp)
@@ -154,51 +145,51 @@ class Table {
         free_scale_(free_scale),
         offset_(clockOffset(time_, matches)),
         arm_(extrinsicOf(matches, false)),
-        body_(extrinsicOf(matches, true)) {}
-
-  void tryAll(std::size_t steps) {
-    steps_ = steps;
-    as_read_ = stretches(matches_, steps);
-    if (as_read_.size() < kFewestStretches) return;
-    before_ = misfitOf(as_read_, free_scale_);
-    tryPoses();
-    tryBodies();
-    if (!free_scale_) tryLengths();
-    tryTime();
+        body_(extrinsicOf(matches, true)) {
+    for (const std::size_t steps : stepCounts(matches)) {
+      as_read_ = stretches(matches, steps);
+      if (as_read_.size() < kFewestStretches) continue;
+      before_ = misfitOf(as_read_, free_scale_);
+      tryPoses(steps);
+      tryBodies();
+      if (!free_scale_) tryLengths();
+      if (offset_) tryTime(steps);
+    }
   }
 
+  /// Those that hold, best first; of those that are far worse than the best one none.
   std::vector<Hypothesis> result() && {
     std::ranges::stable_sort(found_, {}, [](const Hypothesis& h) { return h.after.whole(); });
     std::vector<Hypothesis> best;
     for (Hypothesis& each : found_) {
-      const auto same = [&](const Hypothesis& other) { return other.name == each.name; };
-      if (std::ranges::any_of(best, same)) continue;
       const double least = best.empty() ? HUGE_VAL : best.front().after.whole();
-      if (each.after.whole() > std::max(2 * least, least + 0.02)) continue;
+      const bool is_known = std::ranges::find(best, each.name, &Hypothesis::name) != best.end();
+      if (is_known || each.after.whole() > std::max(2 * least, least + 0.02)) continue;
       best.push_back(std::move(each));
     }
     return best;
   }
 
  private:
-  void add(std::string name, std::string text, const Motions& motions,
+  void add(const std::string& name, const std::string& text, const Motions& motions,
            double noticeable = kNoticeable) {
     const Misfit after = misfitOf(motions, free_scale_);
-    if (!explains(before_, after, noticeable)) return;
-    found_.push_back({std::move(name), std::move(text), before_, after});
+    if (explains(before_, after, noticeable)) found_.push_back({name, text, before_, after});
   }
 
-  void tryPoses() {
+  void tryPoses(std::size_t steps) {
     for (const PoseReading& reading : kPoseReadings) {
-      for (const char* which : {"the true ", "the estimated "}) {
+      for (const bool is_truth : {true, false}) {
         Matches other = matches_;
-        Trajectory& path = which[4] == 't' ? other.truth : other.estimate;
-        path = readAs(path, reading);
-        const std::string text = std::string(which) + reading.text;
-        add(text, text, stretches(other, steps_));
+        for (TrajectoryPose& pose : is_truth ? other.truth : other.estimate) {
+          pose.T_world_camera = reading.meant(pose.T_world_camera);
+        }
+        const std::string text =
+            std::string(is_truth ? "the true " : "the estimated ") + reading.text;
+        add(text, text, stretches(other, steps));
       }
     }
-    add("order", "the true poses are in reverse order", stretches(reversed(matches_), steps_));
+    add("order", "the true poses are in reverse order", stretches(reversed(matches_), steps));
   }
 
   void tryBodies() {
@@ -214,6 +205,7 @@ class Table {
 
   void tryLengths() {
     constexpr double kUnits = 1.5;  // odometry drifts by less
+    constexpr double kTurned = 10;  // degrees; else it is the point alone
     const double scale = bestScale(as_read_);
     if (scale * kUnits < 1 || scale > kUnits) {
       Motions scaled = as_read_;
@@ -227,7 +219,6 @@ class Table {
     if (armExplains()) {
       add("arm", "the truth is of a point at " + armText(arm_), shifted(as_read_, arm_.arm), 0.02);
     }
-    constexpr double kTurned = 10;  // degrees; else it is the point alone
     if (angleOf(body_.R) < kTurned) return;
     add("body",
         fmt::format("the truth is of a body at {} whose axes are turned by {:.0f} degrees",
@@ -235,26 +226,21 @@ class Table {
         shifted(turned(as_read_, body_.R), body_.arm));
   }
 
-  /// An arm turns with the vehicle, so that it is a small part of its motion, and clear in
-  /// positions.
+  /// An arm is a small part of the motion of a vehicle, but clear in its positions.
   bool armExplains() const {
     Matches moved = matches_;
-    for (TrajectoryPose& pose : moved.truth) {
-      pose.T_world_camera.translation() -= pose.T_world_camera.linear() * arm_.arm;
-    }
+    moved.truth = ofBody(std::move(moved.truth), Pose(Eigen::Translation3d(-arm_.arm)));
     return alignedError(moved) < kArm * alignedError(matches_);
   }
 
-  void tryTime() {
-    if (!offset_) return;
+  void tryTime(std::size_t steps) {
+    const double late = offset_->seconds;
     const std::string text =
-        time_.inFrames()
-            ? fmt::format("the truth is given {:.1f} frames {}", std::fabs(offset_->seconds),
-                          offset_->seconds < 0 ? "early" : "late")
-            : fmt::format("the clock of the estimate is {:.3f} s {} that of the truth",
-                          std::fabs(offset_->seconds),
-                          offset_->seconds < 0 ? "ahead of" : "behind");
-    const Motions motions = stretches(delayed(time_, matches_, offset_->seconds), steps_);
+        time_.inFrames() ? fmt::format("the truth is given {:.1f} frames {}", std::fabs(late),
+                                       late < 0 ? "early" : "late")
+                         : fmt::format("the clock of the estimate is {:.3f} s {} that of the truth",
+                                       std::fabs(late), late < 0 ? "ahead of" : "behind");
+    const Motions motions = stretches(delayed(time_, matches_, late), steps);
     if (misfitOf(motions, free_scale_).rotation < kBetterShare * before_.rotation) {
       add("time", text, motions);
     }
@@ -266,22 +252,10 @@ class Table {
   std::optional<ClockOffset> offset_;
   Extrinsic arm_;
   Extrinsic body_;
-  std::size_t steps_ = 1;
   Motions as_read_;
   Misfit before_;
   std::vector<Hypothesis> found_;
 };
-
-/// The hypotheses that hold, best first; of those that are far worse than the best one none.
-/// `free_scale`: lengths are not compared. `by_stamp`: estimates have their own stamps, else those
-/// of their true poses.
-std::vector<Hypothesis> misreadings(const Trajectory& truth, const Matches& matches,
-                                    bool free_scale, bool by_stamp) {
-  if (matches.size() < kFewestStretches) return {};
-  Table table(truth, matches, free_scale, by_stamp);
-  for (const std::size_t steps : stepCounts(matches)) table.tryAll(steps);
-  return std::move(table).result();
-}
 
 /// A trajectory that never moves: no alignment, drift or scale follows from it.
 std::string stillText(const Matches& matches) {
@@ -306,7 +280,11 @@ std::string percent(const Misfit& misfit) {
                      100 * misfit.rotation);
 }
 
-std::string misreadingText(const std::vector<Hypothesis>& hypotheses) {
+/// `by_stamp`: estimates have their own stamps, else those of their true poses.
+std::string misreadingText(const Trajectory& truth, const Matches& matches, bool free_scale,
+                           bool by_stamp) {
+  if (matches.size() < kFewestStretches) return "";
+  const auto hypotheses = Table(truth, matches, free_scale, by_stamp).result();
   if (hypotheses.empty()) return "";
   std::vector<std::string> readings;
   for (const Hypothesis& each : hypotheses) {
@@ -367,7 +345,7 @@ std::vector<std::string> doubts(const Trajectory& truth, const Trajectory& estim
       alignment == Alignment::Sim3 || protocol.alignment.scale != ScaleRule::Keep;
   std::vector<std::string> texts;
   if (!hasPositionsAlone(matches)) {
-    texts.push_back(misreadingText(misreadings(truth, matches, free_scale, by_stamp)));
+    texts.push_back(misreadingText(truth, matches, free_scale, by_stamp));
   }
   std::ranges::move(breaksOf(matches), std::back_inserter(texts));
   texts.push_back(sessionText(matches, free_scale));

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/recorded_cells.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
-#include <numbers>
-#include <type_traits>
 #include <utility>
 
 #include "evaluation/errors.hpp"
 #include "evaluation/firing_rate.hpp"
-#include "evaluation/place_scores.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::evaluation {
@@ -23,9 +17,8 @@ namespace {
 using Value = std::optional<double>;
 
 constexpr int kTuningBins = 36;
-/// Bins of a rate map per period: a grid field, half a period wide, spans four bins. kMaxBins
-/// bounds the time of an autocorrelogram, which grows with the square of the number of visited
-/// bins.
+/// Bins of a rate map per period: a grid field, half a period wide, spans four bins. The time of an
+/// autocorrelogram grows with the square of the number of visited bins.
 constexpr double kBinsOfPeriod = 8;
 constexpr double kMaxBins = 40;
 constexpr double kMaxDrawnBins = 70;
@@ -40,43 +33,35 @@ std::vector<Sample> samplesOf(const RecordedUnits& units, std::size_t unit, std:
   return samples;
 }
 
-template <class Unit>
-struct Measured {
-  std::vector<Unit> units;
-  std::vector<Unit> shuffled;  ///< units shifted in time
-};
-
-/// Calls measure(samples) for all units, and for some units shifted in time.
+/// Measures all units, and some of them shifted in time. measure(samples) gives a MeasuredUnit.
 template <class Measure>
-auto measureAll(const RecordedUnits& units, const Shuffling& shuffling, Measure&& measure) {
-  Measured<std::invoke_result_t<Measure, const std::vector<Sample>&>> measured;
+PopulationScores scored(const RecordedUnits& units, const Shuffling& shuffling,
+                        std::span<const ScoreKind> kinds, Measure&& measure) {
+  PopulationScores result{kinds, {}, {}};
+  std::vector<MeasuredUnit> shuffled;
   const std::size_t count = units.rates.size();
   for (std::size_t unit = 0; unit < count; ++unit) {
-    measured.units.push_back(measure(samplesOf(units, unit, 0)));
+    result.units.push_back(measure(samplesOf(units, unit, 0)));
   }
   const std::size_t length = units.walk.size();
   const std::size_t least = std::max<std::size_t>(shuffling.least_samples, 1);
-  if (count == 0 || length < 2 * least) return measured;
   RandomStream random(shuffling.seed);
-  for (std::size_t i = 0; i < shuffling.count; ++i) {
+  for (std::size_t i = 0; count > 0 && length >= 2 * least && i < shuffling.count; ++i) {
     const std::size_t later = least + random.below(length - 2 * least + 1);
-    measured.shuffled.push_back(measure(samplesOf(units, i * count / shuffling.count, later)));
+    shuffled.push_back(measure(samplesOf(units, i * count / shuffling.count, later)));
   }
-  return measured;
-}
-
-/// value(unit) returns the score of a unit, or none.
-template <class Unit, class ValueOf>
-std::optional<UnitScore> scoreOf(const Measured<Unit>& measured, ValueOf&& value,
-                                 Better better = Better::More) {
-  const auto known = [&](const std::vector<Unit>& units) {
-    std::vector<double> values;
-    for (const Unit& unit : units) {
-      if (const Value score = value(unit)) values.push_back(*score);
-    }
-    return values;
-  };
-  return againstChance(known(measured.units), known(measured.shuffled), better);
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    const auto known = [&](const std::vector<MeasuredUnit>& of) {
+      std::vector<double> values;
+      for (const MeasuredUnit& unit : of) {
+        if (unit.scores[kind]) values.push_back(*unit.scores[kind]);
+      }
+      return values;
+    };
+    result.scores.push_back(
+        againstChance(known(result.units), known(shuffled), kinds[kind].better));
+  }
+  return result;
 }
 
 /// Number of bins on the long side of a rate map. Bins are wider than the steps of the walk.
@@ -107,12 +92,6 @@ RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period) {
   return smoothed(rateMap(samplesOf(units, unit, 0), scoredBins(units.walk, period)), kSmoothing);
 }
 
-std::optional<ErrorFigures> errorFigures(std::vector<double> errors) {
-  if (errors.empty()) return std::nullopt;
-  std::ranges::sort(errors);
-  return ErrorFigures{errors.size(), quantile(errors, 0.5), quantile(errors, 0.9)};
-}
-
 std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<double> shuffled,
                                        Better better) {
   if (units.empty() || shuffled.empty()) return std::nullopt;
@@ -127,69 +106,54 @@ std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<do
   return score;
 }
 
-RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
+std::size_t PopulationScores::indexOf(std::string_view key) const {
+  return static_cast<std::size_t>(std::ranges::find(kinds, key, &ScoreKind::key) - kinds.begin());
+}
+
+PopulationScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
   const int bins = binsFor(units.walk, 0, kMaxDrawnBins);
-  auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
-    return RingUnit{tuningCurve(samples, kTuningBins), spatialInformation(rateMap(samples, bins)),
-                    speedScore(samples)};
+  return scored(units, shuffling, kRingScores, [&](const std::vector<Sample>& samples) {
+    MeasuredUnit unit{{}, tuningCurve(samples, kTuningBins)};
+    const auto& width = unit.tuning.half_width;  // none if there are too few headings
+    unit.scores = {width ? Value(unit.tuning.mean_vector_length) : Value(),
+                   width ? Value(*width * kDegrees) : Value(),
+                   spatialInformation(rateMap(samples, bins)), speedScore(samples)};
+    return unit;
   });
-  const auto length = [](const RingUnit& unit) {  // none if there are too few headings
-    return unit.tuning.half_width ? Value(unit.tuning.mean_vector_length) : Value();
-  };
-  const auto width = [](const RingUnit& unit) {
-    return unit.tuning.half_width ? Value(*unit.tuning.half_width * kDegrees) : Value();
-  };
-  const auto bits = [](const RingUnit& unit) { return Value(unit.information_bits); };
-  const auto speed = [](const RingUnit& unit) { return unit.speed; };
-  return {scoreOf(measured, length), scoreOf(measured, width, Better::Less),
-          scoreOf(measured, bits), scoreOf(measured, speed), std::move(measured.units)};
 }
 
-LatticeScore bestLattice(const SheetScores& scores) {
-  const bool hexagonal =
-      scores.sargolini && (!scores.square || scores.sargolini->median > scores.square->median);
-  if (hexagonal) return {"hexagonal grid", scores.sargolini, &GridScores::sargolini};
-  return {"square grid", scores.square, &GridScores::square};
-}
-
-SheetScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling) {
+PopulationScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling) {
   const int bins = scoredBins(units.walk, period);
-  auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
-    const RateMap map = rateMap(samples, bins);
-    const RateMap smooth = smoothed(map, kSmoothing);
-    return SheetUnit{gridScores(smooth), spatialInformation(map), sparsity(map),
-                     coherence(map),     borderScore(smooth),     speedScore(samples)};
-  });
+  PopulationScores sheet =
+      scored(units, shuffling, kSheetScores, [&](const std::vector<Sample>& samples) {
+        const RateMap map = rateMap(samples, bins);
+        const RateMap smooth = smoothed(map, kSmoothing);
+        const auto grid = gridScores(smooth);
+        const auto of = [&](double GridScores::*score, double factor = 1) {
+          return grid && !std::isnan((*grid).*score) ? Value(factor * (*grid).*score) : Value();
+        };
+        return MeasuredUnit{{of(&GridScores::square), of(&GridScores::sargolini),
+                             of(&GridScores::langston), spatialInformation(map),
+                             of(&GridScores::spacing), of(&GridScores::orientation, kDegrees),
+                             of(&GridScores::ellipticity), sparsity(map), coherence(map),
+                             borderScore(smooth), speedScore(samples)}};
+      });
   for (std::size_t i = 0; i < units.rates.size(); ++i) {
-    measured.units[i].fields = fields(firingMap(units, i)).size();
+    sheet.units[i].fields = fields(firingMap(units, i)).size();
   }
-  const auto score = [&](double GridScores::*member, double factor = 1) {
-    return scoreOf(measured, [=](const SheetUnit& unit) {
-      const double value = unit.scores ? factor * (*unit.scores).*member : NAN;
-      return std::isnan(value) ? Value() : Value(value);
-    });
+  sheet.bin = rateMap(units.walk, bins).bin;
+  sheet.smoothing = kSmoothing * sheet.bin;
+  return sheet;
+}
+
+Lattice bestLattice(const PopulationScores& sheet) {
+  const std::size_t square = sheet.indexOf("grid_score_square");
+  const std::size_t hexagonal = sheet.indexOf("grid_score_sargolini");
+  const auto median = [&](std::size_t i) {
+    return sheet.scores[i] ? sheet.scores[i]->median : -HUGE_VAL;
   };
-  const auto other = [&](Value SheetUnit::*member, Better better = Better::More) {
-    return scoreOf(
-        measured, [=](const SheetUnit& unit) { return unit.*member; }, better);
-  };
-  const auto bits = [](const SheetUnit& unit) { return Value(unit.information_bits); };
-  SheetScores scores;
-  scores.square = score(&GridScores::square);
-  scores.sargolini = score(&GridScores::sargolini);
-  scores.langston = score(&GridScores::langston);
-  scores.information_bits = scoreOf(measured, bits);
-  scores.spacing = score(&GridScores::spacing);
-  scores.orientation_deg = score(&GridScores::orientation, kDegrees);
-  scores.ellipticity = score(&GridScores::ellipticity);
-  scores.sparsity = other(&SheetUnit::sparsity, Better::Less);
-  scores.coherence = other(&SheetUnit::coherence);
-  scores.border = other(&SheetUnit::border);
-  scores.speed = other(&SheetUnit::speed);
-  scores.bin = rateMap(units.walk, bins).bin;
-  scores.smoothing = kSmoothing * scores.bin;
-  scores.units = std::move(measured.units);
-  return scores;
+  if (median(hexagonal) > median(square)) return {"hexagonal grid", hexagonal};
+  return {"square grid", square};
 }
 
 namespace {
@@ -203,8 +167,7 @@ struct Residue {
   double period = 1;
 };
 
-/// A place, and the sum of its squared distances to all residues, weighted by their precision
-/// (1 / period^2).
+/// A place, and its squared distances to all residues, over those of their periods.
 struct Fit {
   double place = 0;
   double misfit = 0;
@@ -360,7 +323,6 @@ StampedPoses stampedPosesOf(const Trajectory& trajectory) {
 }
 
 void PopulationHistory::add(std::int64_t frame, NamedArray&& array, std::size_t most) {
-  if (!given) given = array.shape;
   if (array.values.empty()) return;
   if (shape.empty()) shape = array.shape;
   if (array.shape != shape || seen++ % stride != 0) return;
@@ -405,32 +367,6 @@ void CellHistory::dropEmpty() {
   }
 }
 
-std::string CellHistory::whyUnscored() const {
-  std::string reason;
-  for (const auto* list : {&rings, &sheets, &others}) {
-    for (const auto& [info, shape, frames, activity, stride, seen, given] : *list) {
-      if (list != &others && !frames.empty()) return "";
-      if (info.kind != ArrayKind::Activity || !given) continue;
-      if (given->size() != info.axes.size() && !info.axes.empty()) {
-        reason = fmt::format("array '{}' has {} axes and is described with {}", info.name,
-                             given->size(), info.axes.size());
-        continue;
-      }
-      for (std::size_t i = 0; i < info.axes.size(); ++i) {
-        const ArrayAxis& axis = info.axes[i];
-        const bool is_of_angles = axis.unit == "deg" || axis.unit == "rad";
-        const bool agrees = unitsAlong(axis) == static_cast<std::size_t>((*given)[i]);
-        if (axis.period <= 0 || (agrees && (!is_of_angles || isAngle(axis)))) continue;
-        reason = fmt::format(
-            "axis '{}' of array '{}' has {} units, and is described with a period of {:.4g} {} in "
-            "steps of {:.4g}; a turn is 360 deg or 2 pi rad",
-            axis.name, info.name, (*given)[i], axis.period, axis.unit, axis.step);
-      }
-    }
-  }
-  return reason;
-}
-
 std::vector<std::size_t> measuredUnits(const PopulationHistory& population) {
   const auto size = [&](std::size_t axis) {
     return static_cast<std::size_t>(population.shape[axis]);
@@ -443,6 +379,38 @@ std::vector<std::size_t> measuredUnits(const PopulationHistory& population) {
     }
   }
   return chosen;
+}
+
+void setTimes(RecordedUnits& units, const std::vector<std::int64_t>& stamps_ns, bool metric) {
+  constexpr double kLongest = 5;       // median steps
+  constexpr double kStanding = 0.025;  // m/s
+  constexpr double kAnimal = 2;        // m/s
+  std::vector<Sample>& walk = units.walk;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < walk.size(); ++i) {
+    steps.push_back(1e-9 * static_cast<double>(stamps_ns[i] - stamps_ns[i - 1]));
+  }
+  if (steps.empty()) return;
+  const double usual = statistics(steps).median;
+  std::vector<double> speeds;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const double step = i < steps.size() ? steps[i] : usual;
+    walk[i].seconds = step > 0 && step <= kLongest * usual ? step : usual;
+    const auto isJoined = [&](std::size_t k) {  // with the sample behind it
+      return k < steps.size() && steps[k] <= kLongest * usual;
+    };
+    const std::size_t before = i > 0 && isJoined(i - 1) ? i - 1 : i;
+    const std::size_t after = isJoined(i) ? i + 1 : i;
+    const double time = 1e-9 * static_cast<double>(stamps_ns[after] - stamps_ns[before]);
+    const double way = (walk[after].position - walk[before].position).norm();
+    walk[i].speed = time > 0 ? way / time : 0;
+    speeds.push_back(walk[i].speed);
+  }
+  const auto high = std::ranges::next(speeds.begin(), std::ssize(speeds) * 95 / 100);
+  std::ranges::nth_element(speeds, high);
+  if (!metric || *high > kAnimal) return;
+  units.speed_limit = kStanding;
+  for (Sample& sample : walk) sample.seconds = sample.speed < kStanding ? 0 : sample.seconds;
 }
 
 RecordedUnits unitsAt(const PopulationHistory& population, const StampedPoses& poses,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,17 +22,7 @@
 
 namespace tolman::evaluation {
 
-/// Median and 90th percentile of errors.
-struct ErrorFigures {
-  std::size_t count = 0;
-  double median = 0;
-  double p90 = 0;
-};
-/// None if there are no errors.
-std::optional<ErrorFigures> errorFigures(std::vector<double> errors);
-
-/// One score of all units of a population, against the same score of units whose activity is
-/// shifted in time.
+/// One score of all units of a population, and of units whose activity is shifted in time.
 struct UnitScore {
   double median = 0;           ///< of the units
   double chance = 0;           ///< 95th percentile of the shifted units; the 5th if less is better
@@ -52,8 +43,7 @@ struct RecordedUnits {
 };
 
 /// The firing rate map of a unit for figures, of at most 70 bins a side. Bins are at least 1.5
-/// times as wide as the mean step of the walk; in narrower ones each visit would be a field of its
-/// own.
+/// times as wide as the mean step of the walk: in narrower ones each visit would be a field.
 RateMap firingMap(const RecordedUnits& units, std::size_t unit);
 /// The smoothed rate map for grid scores, of at most 40 bins a side: a field, half a period wide,
 /// spans at most four bins. `period`: of the units, m; 0: not known.
@@ -67,41 +57,52 @@ struct Shuffling {
   std::uint64_t seed = 1;
 };
 
-struct RingUnit {
-  TuningCurve tuning;
-  double information_bits = 0;
-  std::optional<double> speed;
+/// A score of the units of a population; `key` is that of metrics.json and neurons.json.
+struct ScoreKind {
+  std::string_view key;
+  Better better = Better::More;
 };
-struct RingScores {
-  std::optional<UnitScore> mean_vector_length, half_width_deg, information_bits, speed;
-  std::vector<RingUnit> units;
-};
-RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling);
+inline constexpr std::array<ScoreKind, 4> kRingScores = {{{"mean_vector_length"},
+                                                          {"half_width_deg", Better::Less},
+                                                          {"spatial_information_bits"},
+                                                          {"speed_score"}}};
+inline constexpr std::array<ScoreKind, 11> kSheetScores = {{{"grid_score_square"},
+                                                            {"grid_score_sargolini"},
+                                                            {"grid_score_langston"},
+                                                            {"spatial_information_bits"},
+                                                            {"spacing_m"},
+                                                            {"orientation_deg"},
+                                                            {"ellipticity"},
+                                                            {"sparsity", Better::Less},
+                                                            {"coherence"},
+                                                            {"border_score"},
+                                                            {"speed_score"}}};
 
-struct SheetUnit {
-  std::optional<GridScores> scores;
-  double information_bits = 0;
-  std::optional<double> sparsity, coherence, border, speed;
-  std::size_t fields = 0;  ///< of the firingMap()
+struct MeasuredUnit {
+  std::vector<std::optional<double>> scores;  ///< one for each kind
+  TuningCurve tuning{};                       ///< of a ring
+  std::size_t fields = 0;                     ///< of a sheet, in the firingMap()
 };
-struct SheetScores {
-  std::optional<UnitScore> square, sargolini, langston, information_bits;
-  std::optional<UnitScore> spacing, orientation_deg, ellipticity;
-  std::optional<UnitScore> sparsity, coherence, border, speed;
-  double bin = 0;        ///< m, of the rate maps
+struct PopulationScores {
+  std::span<const ScoreKind> kinds;
+  std::vector<std::optional<UnitScore>> scores;  ///< one for each kind
+  std::vector<MeasuredUnit> units;
+  double bin = 0;        ///< m, of the rate maps of a sheet
   double smoothing = 0;  ///< m, Gaussian; for scores of lattice and border alone
-  std::vector<SheetUnit> units;
-};
-/// The regular lattice that the units fit best, by the medians of the scores.
-struct LatticeScore {
-  std::string_view name;  ///< "square grid", "hexagonal grid"
-  std::optional<UnitScore> score;
-  double GridScores::*of_unit = &GridScores::square;  ///< the same score of one unit
-};
-LatticeScore bestLattice(const SheetScores& scores);
 
+  std::size_t indexOf(std::string_view key) const;
+  const std::optional<UnitScore>& of(std::string_view key) const { return scores[indexOf(key)]; }
+};
+PopulationScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling);
 /// `period`, m: of the units; 0 if not known. It sets the bins of the rate maps.
-SheetScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling);
+PopulationScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling);
+
+/// The regular lattice that the units of a sheet fit best, by the medians of the scores.
+struct Lattice {
+  std::string_view name;  ///< "square grid", "hexagonal grid"
+  std::size_t score = 0;  ///< index of its score
+};
+Lattice bestLattice(const PopulationScores& sheet);
 
 // Decodes the rates of populations: heading from a ring, position from grid modules.
 
@@ -118,8 +119,7 @@ struct ModulePhase {
   Eigen::Vector2d phase = Eigen::Vector2d::Zero();  ///< x and y
   double period = 1;
 };
-/// Why a population gives no position in metres; empty for two axes that are named x or y, have the
-/// unit m and equal periods.
+/// Why a population gives no position; empty for equal periods in m along axes x and y.
 std::string noPositionReason(const ArrayInfo& sheet);
 /// `sheet` must have an empty noPositionReason(). None where the activity has no phase.
 std::optional<ModulePhase> modulePhase(std::span<const float> rates, const ArrayInfo& sheet);
@@ -127,8 +127,7 @@ std::optional<ModulePhase> modulePhase(std::span<const float> rates, const Array
 /// Decodes positions (m) from the phases of grid modules, and compares them with true positions.
 class PositionDecoder {
  public:
-  /// Positions are decoded within [low, high]. `modules` are the phases at `position`: they define
-  /// the origin of the code.
+  /// Within [low, high]. `modules` are the phases at `position`: the origin of the code.
   PositionDecoder(const std::vector<ModulePhase>& modules, const Eigen::Vector2d& position,
                   const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
@@ -164,7 +163,6 @@ struct PopulationHistory {
   std::vector<std::vector<float>> activity;  ///< one row per frame, as large as the shape
   std::size_t stride = 1;                    ///< every stride-th array was kept
   std::size_t seen = 0;
-  std::optional<std::vector<int>> given{};  ///< shape of the first array, whatever is described
 
   /// Keeps at most `most` arrays, and none of another shape.
   void add(std::int64_t frame, NamedArray&& array, std::size_t most);
@@ -181,15 +179,16 @@ struct CellHistory {
   void add(std::int64_t frame, NamedArray&& array);
   /// Removes arrays that were described but not recorded.
   void dropEmpty();
-  /// Why there is neither a ring nor a sheet: a description that its array contradicts. Empty where
-  /// there is one of them, or nothing is contradicted. After the last add(), before dropEmpty().
-  std::string whyUnscored() const;
 };
 
 inline constexpr int kMaxUnitsAlongAxis = 32;
-/// Indices of the units that are measured, row by row: at most 72 of a ring and 32 by 32 of a
-/// sheet, evenly spaced.
+/// The units that are measured, evenly spaced: at most 72 of a ring, 32 by 32 of a sheet.
 std::vector<std::size_t> measuredUnits(const PopulationHistory& population);
+
+/// Sets speeds and durations of the samples at these times, ns. A gap of more than five median
+/// steps counts as one. Of an animal, which is never faster than 2 m/s, standing (slower than 2.5
+/// cm/s) does not count; of a vehicle it does. `metric`: positions are in m.
+void setTimes(RecordedUnits& units, const std::vector<std::int64_t>& stamps_ns, bool metric);
 
 /// The activity of the units `chosen` at the frames that have a pose. `metric`: these are in m.
 RecordedUnits unitsAt(const PopulationHistory& population, const StampedPoses& poses,

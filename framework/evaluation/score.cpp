@@ -5,7 +5,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -31,32 +30,6 @@ constexpr double kOrdinary = 0.01;
 // chance where an alignment reduces the error to a third by one turn. Reasoned, not tuned.
 constexpr double kChance = 3;
 
-/// Sums of squared errors after a turn of the estimate about its mean.
-struct SquaredError {
-  double all;
-  double vertical;
-};
-
-SquaredError errorAfter(const Points& truth, const Points& estimate, const Eigen::Matrix3d& turn) {
-  const Points error = truth - turn * estimate;
-  return {error.squaredNorm(), error.row(1).squaredNorm()};
-}
-
-bool isOpenAbout(const Eigen::Vector3d& axis, const Points& truth, const Points& estimate) {
-  const SquaredError now = errorAfter(truth, estimate, Eigen::Matrix3d::Identity());
-  bool quarter_is_free = false;
-  bool moves = false;
-  for (int eighths = 1; eighths < 8; ++eighths) {
-    const double angle = eighths * std::numbers::pi / 4;
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-    const SquaredError turned = errorAfter(truth, estimate, turn);
-    const bool quarter = eighths == 2 || eighths == 6;
-    if (quarter && turned.all < kSameError * kSameError * now.all) quarter_is_free = true;
-    if (std::abs(turned.vertical - now.vertical) > kMovedShare * now.all) moves = true;
-  }
-  return quarter_is_free && moves;
-}
-
 /// The rotation, about any axis, that brings the estimated orientations nearest to the true ones.
 Eigen::Matrix3d turnToOrientations(const Matches& aligned) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -72,10 +45,6 @@ Eigen::Matrix3d twist(const Eigen::Matrix3d& turn, const Eigen::Vector3d& axis) 
   const Eigen::Quaterniond q(turn);
   const double angle = 2 * std::atan2(q.vec().dot(axis), q.w());
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-}
-
-Eigen::Matrix3d principalDirections(const Points& points) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(points * points.transpose()).eigenvectors();
 }
 
 }  // namespace
@@ -115,89 +84,95 @@ std::string planeProblem(const Trajectory& truth) {
       size.y(), width);
 }
 
-/// On an almost straight path positions do not determine the roll, so horizontal and vertical
-/// errors may be swapped: a quarter turn about a principal direction of the truth increases the
-/// root mean square error by less than 5 %, and turns about it move more than a tenth of the
-/// squared error between the two.
-bool rollIsUnobservable(const Matches& aligned) {
+/// Whether horizontal and vertical errors may be swapped, because other turns of the estimate about
+/// its mean position fit the truth as well.
+/// - Positions leave the roll open: a quarter turn about a principal direction of the truth
+/// increases
+///   the root mean square error by less than 5 %, and turns about it move more than a tenth of the
+///   squared error into or out of the vertical.
+/// - Orientations contradict the alignment, and positions do not refute them: the turn that brings
+///   the estimated orientations nearest to the true ones, or its part about a principal direction,
+///   tilts the vertical (y) by more than 10 degrees, and leaves at most three times the error, or
+///   less than 1 % of the true path.
+bool rollIsOpen(const Matches& aligned) {
   const Points truth = centredPositions(aligned.truth);
   const Points estimate = centredPositions(aligned.estimate);
-  if ((truth - estimate).norm() <= kRounding * truth.norm()) return false;
-  const Eigen::Matrix3d directions = principalDirections(truth);
+  const auto errorAfter = [&](const Eigen::Matrix3d& turn) -> Eigen::Vector3d {
+    return (truth - turn * estimate).rowwise().squaredNorm();
+  };
+  const Eigen::Vector3d now = errorAfter(Eigen::Matrix3d::Identity());
+  const double ordinary = kOrdinary * pathLength(aligned.truth);
+  const double accepted = std::max(kChance * kChance * now.sum(),
+                                   ordinary * ordinary * static_cast<double>(truth.cols()));
+  const auto contradicts = [&](const Eigen::Matrix3d& turn) {
+    return turn(1, 1) < std::cos(kTilted) && errorAfter(turn).sum() <= accepted;
+  };
+  const bool is_perfect = now.sum() <= kRounding * kRounding * truth.squaredNorm();
+  const Eigen::Matrix3d whole = turnToOrientations(aligned);
+  if (contradicts(whole)) return true;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(truth * truth.transpose());
   for (int i = 0; i < 3; ++i) {
-    if (isOpenAbout(directions.col(i), truth, estimate)) return true;
+    const Eigen::Vector3d axis = principal.eigenvectors().col(i);
+    if (contradicts(twist(whole, axis))) return true;
+    bool quarter_is_free = false, moves = false;
+    for (int eighths = 1; eighths < 8; ++eighths) {
+      const Eigen::Vector3d turned =
+          errorAfter(Eigen::AngleAxisd(eighths * std::numbers::pi / 4, axis).toRotationMatrix());
+      const bool is_quarter = eighths == 2 || eighths == 6;
+      quarter_is_free |= is_quarter && turned.sum() < kSameError * kSameError * now.sum();
+      moves |= std::abs(turned.y() - now.y()) > kMovedShare * now.sum();
+    }
+    if (!is_perfect && quarter_is_free && moves) return true;
   }
   return false;
 }
 
-/// The orientations of the estimate contradict the alignment, and its positions do not refute them:
-/// a turn of the estimate about its mean position tilts the vertical (y) by more than 10 degrees,
-/// and after it the root mean square error is at most three times as large, or below 1 % of the
-/// true path. The turn is the one that brings the estimated orientations nearest to the true ones,
-/// or its part about a principal direction of the truth.
-bool rollIsContradicted(const Matches& aligned) {
-  const Points truth = centredPositions(aligned.truth);
-  const Points estimate = centredPositions(aligned.estimate);
-  const auto rmseAfter = [&](const Eigen::Matrix3d& turn) {
-    return std::sqrt(errorAfter(truth, estimate, turn).all / static_cast<double>(truth.cols()));
-  };
-  const Eigen::Matrix3d directions = principalDirections(truth);
-  const Eigen::Matrix3d whole = turnToOrientations(aligned);
-  const std::array turns{whole, twist(whole, directions.col(0)), twist(whole, directions.col(1)),
-                         twist(whole, directions.col(2))};
-  const double accepted = std::max(kChance * rmseAfter(Eigen::Matrix3d::Identity()),
-                                   kOrdinary * pathLength(aligned.truth));
-  return std::ranges::any_of(turns, [&](const Eigen::Matrix3d& turn) {
-    return turn(1, 1) < std::cos(kTilted) && rmseAfter(turn) <= accepted;
-  });
-}
-
 using Json = nlohmann::ordered_json;
 
-Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
+Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 /// Keys with a unit: {"rmse_m": ..., "mean_m": ...}; nulls where nothing was measured.
 Json statisticsJson(const Statistics& s, const std::string& unit) {
   Json json;
   for (const auto& [key, value] :
-       {std::pair("rmse", s.rmse), std::pair("mean", s.mean), std::pair("median", s.median),
-        std::pair("min", s.min), std::pair("max", s.max)}) {
-    json[std::string(key) + "_" + unit] = s.count > 0 ? Json(value) : Json();
+       {std::pair("rmse_", s.rmse), std::pair("mean_", s.mean), std::pair("median_", s.median),
+        std::pair("min_", s.min), std::pair("max_", s.max)}) {
+    json[key + unit] = s.count > 0 ? Json(value) : Json();
   }
   return json;
 }
 
-Json positionsJson(const Statistics& errors_m, const std::string& reason = "") {
+Json positionsJson(const Statistics& errors_m, const std::string& reason) {
   Json json = statisticsJson(errors_m, "m");
-  json["reason"] = textOrNull(reason);
+  json["reason"] = orNull(reason);
   return json;
 }
 
-/// `why_none`: the reason where poses were compared and no pair was found.
-Json relativeJson(const RelativeError& error, const std::string& translation_unit,
-                  const std::string& rotation_unit, const std::string& why_none) {
-  return {{"translation", statisticsJson(error.translation_m, translation_unit)},
-          {"rotation", statisticsJson(error.rotation_deg, rotation_unit)},
-          {"pairs", error.translation_m.count},
-          {"reason", textOrNull(error.translation_m.count > 0 ? "" : why_none)}};
+/// `why_none`: the reason where no pair was found; empty where no poses were compared.
+Json relativeJson(const RelativeError& error, const std::string& per, const std::string& why_none) {
+  const std::size_t pairs = error.translation_m.count;
+  return {{"translation", statisticsJson(error.translation_m, "m" + per)},
+          {"rotation", statisticsJson(error.rotation_deg, "deg" + per)},
+          {"pairs", pairs},
+          {"reason", orNull(pairs > 0 ? "" : why_none)}};
 }
 
 Json segmentsJson(const SegmentErrors& errors) {
   const bool known = errors.segments > 0;
   const bool asked = !errors.lengths.lengths_m.empty();
+  const char* why = known || !asked ? ""
+                    : errors.segments_in_gaps > 0
+                        ? "all segments end where poses have no estimate, in a gap of the truth, "
+                          "or in another session, or are shorter than half of the way between two "
+                          "frames"
+                        : "the path is shorter than any segment";
   return {{"t_rel_percent", known ? Json(errors.t_rel_percent) : Json()},
           {"r_rel_deg_per_100m", known ? Json(errors.r_rel_deg_per_100m) : Json()},
           {"lengths", asked ? Json(errors.lengths.name) : Json()},
           {"lengths_m", asked ? Json(errors.lengths.lengths_m) : Json()},
           {"segments", errors.segments},
           {"segments_in_gaps", errors.segments_in_gaps},
-          {"reason", known || !asked ? Json()
-                                     : Json(errors.segments_in_gaps > 0
-                                                ? "all segments end where poses have no estimate, "
-                                                  "in a gap of the truth, or in another "
-                                                  "session, or are shorter than half of the way "
-                                                  "between two frames"
-                                                : "the path is shorter than any segment")}};
+          {"reason", orNull(why)}};
 }
 
 /// Why an alignment of these pairs would say nothing; empty if it can be done.
@@ -224,7 +199,7 @@ void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
     scores.no_horizontal = scores.no_vertical = problem;
     return;
   }
-  if (alignment != Alignment::None && (rollIsUnobservable(pairs) || rollIsContradicted(pairs))) {
+  if (alignment != Alignment::None && rollIsOpen(pairs)) {
     scores.no_horizontal = scores.no_vertical =
         "unknown, as this path is too straight to tell how the estimate is turned about it (or its "
         "orientations contradict its positions)";
@@ -303,6 +278,11 @@ Protocol protocolOf(Habit habit, const Trajectory& truth, const Trajectory& esti
   return protocol;
 }
 
+std::vector<double> positionErrors(const Scores& scores) {
+  const bool is_planar = scores.alignment.kind == Alignment::Se2;
+  return positionErrors(scores.pairs, is_planar ? Direction::Horizontal : Direction::All);
+}
+
 TrajectoryMetrics score(const Trajectory& truth, const Trajectory& estimate,
                         const Protocol& protocol) {
   TrajectoryMetrics metrics;
@@ -334,15 +314,12 @@ TrajectoryMetrics score(const Trajectory& truth, const Trajectory& estimate,
     metrics.reason = similarity.status().message();
     return metrics;
   }
-  const Matches pairs = aligned(matches, similarity.value());
   Scores& scores = metrics.scores.emplace();
+  const Matches& pairs = scores.pairs = aligned(matches, similarity.value());
   scores.alignment = rule;
   scores.scale = similarity.value().scale;
   metrics.path_length_m *= scores.scale;
   scores.coverage = pairs.coverage();
-  scores.errors_m =
-      positionErrors(pairs, rule.kind == Alignment::Se2 ? Direction::Horizontal : Direction::All);
-  scores.driven_m = pairs.driven;
   scorePositions(pairs, rule.kind, scores);
   scoreMotions(pairs, truth, protocol, scores);
   if (protocol.without_time) {
@@ -383,25 +360,25 @@ Json detailsJson(const Scores& scores, const std::vector<Steps>& steps) {
 Json toJson(const TrajectoryMetrics& metrics) {
   const bool known = metrics.scores.has_value();
   const Scores scores = metrics.scores.value_or(Scores{});
-  const auto why = [known](const char* reason) { return std::string(known ? reason : ""); };
   const std::string none = known ? "" : metrics.reason;
+  const auto lengthIf = [&](bool is) { return is ? Json(metrics.path_length_m) : Json(); };
   return {{"ate", positionsJson(scores.ate_m, none)},
           {"ate_horizontal", positionsJson(scores.horizontal_m, none + scores.no_horizontal)},
           {"ate_vertical", positionsJson(scores.vertical_m, none + scores.no_vertical)},
           {"rpe",
-           {{"frame", relativeJson(scores.rpe_frame, "m", "deg",
-                                   why("no two poses that match are one frame apart"))},
-            {"metre", relativeJson(scores.rpe_metre, "m_per_m", "deg_per_m",
-                                   why("the path is shorter than 1 m"))}}},
+           {{"frame", relativeJson(scores.rpe_frame, "",
+                                   known ? "no two poses that match are one frame apart" : "")},
+            {"metre", relativeJson(scores.rpe_metre, "_per_m",
+                                   known ? "the path is shorter than 1 m" : "")}}},
           {"kitti", segmentsJson(scores.kitti)},
-          {"path_length_m", metrics.in_metres ? Json(metrics.path_length_m) : Json()},
-          {"path_length_units", metrics.in_metres ? Json() : Json(metrics.path_length_m)},
+          {"path_length_m", lengthIf(metrics.in_metres)},
+          {"path_length_units", lengthIf(!metrics.in_metres)},
           {"poses", metrics.poses},
           {"matched", metrics.matched},
           {"coverage", known ? Json(scores.coverage) : Json()},
           {"scale", known ? Json(scores.scale) : Json()},
-          {"reason", known ? Json() : Json(metrics.reason)},
-          {"warning", textOrNull(metrics.warning)}};
+          {"reason", orNull(none)},
+          {"warning", orNull(metrics.warning)}};
 }
 
 }  // namespace tolman::evaluation

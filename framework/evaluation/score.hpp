@@ -38,11 +38,13 @@ struct Scores {
   Statistics rotation_deg;           ///< angles between true and estimated orientations
   std::vector<RelativeError> steps;  ///< of Protocol::steps
   std::optional<PathDistance> path;  ///< if asked for
-  std::vector<double> errors_m;      ///< of each matched pose
-  std::vector<double> driven_m;      ///< the true path up to it
+  Matches pairs;                     ///< with the estimate aligned
   double scale = 1;                  ///< scale factor of the alignment
   double coverage = 0;
 };
+
+/// Of each pair, m; with Alignment::Se2 in the plane.
+std::vector<double> positionErrors(const Scores& scores);
 
 struct TrajectoryMetrics {
   double path_length_m = 0;  ///< of the aligned estimate; without scores in its own units
@@ -83,8 +85,7 @@ constexpr bool readsMatrices(Habit habit) {
 }
 /// "10 m, consecutive".
 std::string textOf(const Steps& steps);
-/// For files with or without stamps. `steps` have lengths and units, the habit sets the rest; of
-/// `all` only where it leaves the choice.
+/// `steps` have lengths and units, the habit sets the rest; of `all` where it leaves no choice.
 Protocol protocolOf(Habit habit, const Trajectory& truth, const Trajectory& estimate,
                     std::vector<Steps> steps = {});
 
@@ -92,17 +93,15 @@ Protocol protocolOf(Habit habit, const Trajectory& truth, const Trajectory& esti
 TrajectoryMetrics score(const Trajectory& truth, const Trajectory& estimate,
                         const Protocol& protocol);
 
-/// What speaks against a truth or an estimate before anyone believes its figures: is one of the two
-/// read wrongly, or broken somewhere (step_series.hpp)? One sentence each: what was found, and what
-/// to look for. Doubts change no score. Empty for plausible trajectories, whatever the errors of
-/// the estimate. Arguments as for score().
+/// What speaks against a truth or an estimate: is one of the two read wrongly, or broken somewhere
+/// (step_series.hpp)? One sentence each: what was found, and what to look for. Doubts change no
+/// score. Empty for plausible trajectories, whatever the errors of the estimate.
 std::vector<std::string> doubts(const Trajectory& truth, const Trajectory& estimate,
                                 const Protocol& protocol);
 /// All doubts in one text; empty without any.
 std::string doubtText(const std::vector<std::string>& doubts);
 
-/// `odometry` and `map` of metrics.json have the same keys; unknown numbers are null, with the
-/// cause in `reason`.
+/// Of `odometry` and of `map` in metrics.json; unknown numbers are null, with a `reason`.
 nlohmann::ordered_json toJson(const TrajectoryMetrics& metrics);
 /// The figures that only `eval` gives: rotation, steps, table of segments, path.
 nlohmann::ordered_json detailsJson(const Scores& scores, const std::vector<Steps>& steps);

@@ -88,8 +88,7 @@ class Breaks {
     return pairs;
   }
 
-  /// The longest run of stretches in which the truth (or the estimate) stands while the other
-  /// moves.
+  /// The longest time in which the truth (or the estimate) stands while the other moves.
   std::string standing(bool is_truth, std::size_t fewest) const {
     std::size_t best = 0, end = 0;
     for (std::size_t i = 0, run = 0; i < scores_.size(); ++i) {
@@ -110,7 +109,7 @@ class Breaks {
                                 : "is odometry lost, or its sensor, without saying so?");
   }
 
-  /// A frame from which on lengths are in another unit, and steady before and after it.
+  /// A frame from which on lengths are in another unit, steady before and after it.
   std::string lengthChange() const {
     constexpr std::ptrdiff_t kFewest = 4;  // stretches before and after
     const double least = std::log(1.5);    // other units differ by more, yards from metres less
@@ -127,21 +126,21 @@ class Breaks {
       const Statistics before = statistics({ratios.begin(), ratios.begin() + split});
       const Statistics after = statistics({ratios.begin() + split, ratios.end()});
       const auto squares = [](const Statistics& s) {
-        return static_cast<double>(s.count) * (s.rmse * s.rmse - s.mean * s.mean);
+        return static_cast<double>(s.count - 1) * s.deviation * s.deviation;
       };
-      const double left = std::max(0.0, squares(before) + squares(after));
+      const double left = squares(before) + squares(after);
       if (left >= best) continue;
       best = left;
       const double deviation = std::sqrt(left / static_cast<double>(ratios.size()));
-      const double change = std::fabs(after.mean - before.mean);
-      text = change < std::max(least, kOutlier * deviation)
-                 ? ""
-                 : fmt::format(
-                       "the estimate is {:.3g} times as long as the truth until frame {}, "
-                       "and {:.3g} times from there on: does the truth change its unit, or "
-                       "the estimate its scale? All errors are wrong if so",
-                       std::exp(before.mean), frame(pairs[static_cast<std::size_t>(split)]),
-                       std::exp(after.mean));
+      const bool is_change =
+          std::fabs(after.mean - before.mean) >= std::max(least, kOutlier * deviation);
+      text = !is_change ? ""
+                        : fmt::format(
+                              "the estimate is {:.3g} times as long as the truth until frame {}, "
+                              "and {:.3g} times from there on: does the truth change its unit, or "
+                              "the estimate its scale? All errors are wrong if so",
+                              std::exp(before.mean), frame(pairs[static_cast<std::size_t>(split)]),
+                              std::exp(after.mean));
     }
     return text;
   }
@@ -256,15 +255,6 @@ namespace {
 using Motions = std::vector<Stretch>;
 constexpr std::int64_t kNanoseconds = 1'000'000'000;  // of a second, or of a frame
 
-/// The orthogonal matrix R of this determinant, 1 or -1, with the largest trace of products R'
-/// (Arun et al. 1987).
-Eigen::Matrix3d bestOrthogonal(const Eigen::Matrix3d& products, double determinant) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() * determinant < 0) u.col(2) *= -1;
-  return u * svd.matrixV().transpose();
-}
-
 /// (R - I) arm = truth - estimate for each motion; R and both translations in camera axes.
 Extrinsic armOf(const Motions& motions) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -340,8 +330,13 @@ Eigen::Matrix3d bestAxes(const Motions& motions, double determinant) {
     lengths += each.estimate.translation().norm() * each.truth.translation().norm();
     angles += turn.norm() * true_turn.norm();
   }
-  // A mirror turns the axes of rotations the other way.
-  return bestOrthogonal(ways / lengths + determinant * turns / angles, determinant);
+  // A mirror turns the axes of rotations the other way. Then the orthogonal matrix with the largest
+  // trace of products (Arun et al. 1987).
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(ways / lengths + determinant * turns / angles,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() * determinant < 0) u.col(2) *= -1;
+  return u * svd.matrixV().transpose();
 }
 
 Motions turned(Motions motions, const Eigen::Matrix3d& axes) {
@@ -403,22 +398,20 @@ Result<Extrinsic> parseBody(const std::string& text) {
 std::string armText(const Extrinsic& extrinsic) {
   std::vector<std::string> parts;
   for (int i = 0; i < 3; ++i) {
-    const bool is_known = std::isfinite(extrinsic.sigma[i]);
-    const bool is_given = extrinsic.sigma.isZero();
-    parts.push_back(!is_known ? "unknown"
-                    : is_given
-                        ? fmt::format("{:.3g}", extrinsic.arm[i])
-                        : fmt::format("{:.2f} +- {:.2f}", extrinsic.arm[i], extrinsic.sigma[i]));
+    const double arm = extrinsic.arm[i], sigma = extrinsic.sigma[i];
+    parts.push_back(!std::isfinite(sigma)      ? "unknown"
+                    : extrinsic.sigma.isZero() ? fmt::format("{:.3g}", arm)
+                                               : fmt::format("{:.2f} +- {:.2f}", arm, sigma));
   }
   return fmt::format("({}) m in the camera (x right, y down, z forward)", fmt::join(parts, ", "));
 }
 
 nlohmann::ordered_json toJson(const Extrinsic& body) {
-  nlohmann::ordered_json arm, sigma;
+  nlohmann::ordered_json arm(3, nullptr), sigma(3, nullptr);
   for (int i = 0; i < 3; ++i) {
-    const bool is_known = std::isfinite(body.sigma[i]);
-    arm.push_back(is_known ? nlohmann::ordered_json(body.arm[i]) : nullptr);
-    sigma.push_back(is_known ? nlohmann::ordered_json(body.sigma[i]) : nullptr);
+    if (!std::isfinite(body.sigma[i])) continue;
+    arm[static_cast<std::size_t>(i)] = body.arm[i];
+    sigma[static_cast<std::size_t>(i)] = body.sigma[i];
   }
   const Eigen::Quaterniond q(body.R);
   return {{"arm_m", arm}, {"sigma_m", sigma}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};

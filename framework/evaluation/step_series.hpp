@@ -25,8 +25,7 @@ struct Stretch {
 
 Stretch stretchBetween(const Matches& matches, std::size_t first, std::size_t last);
 
-/// Consecutive stretches of `steps` pairs that are tracked throughout, within one piece of the
-/// path.
+/// Consecutive stretches of `steps` tracked pairs, each in one piece of the path.
 std::vector<Stretch> stretches(const Matches& matches, std::size_t steps);
 
 /// By stretch: how the estimated motion differs from the true one.
@@ -36,14 +35,12 @@ struct StepSeries {
   std::vector<double> log_ratio;     ///< natural logarithm of estimated over true length
   std::vector<double> turn;          ///< angle between the two rotations, rad
 };
-/// A tenth of the usual true length is added to both lengths, so that noise at a standstill is no
-/// ratio.
+/// A tenth of the usual length is added to both lengths: noise at a standstill is no ratio.
 StepSeries stepSeries(const Matches& matches, std::size_t steps);
 
 /// What breaks the curve: a truth or an estimate that stands still while the other moves, a jump or
 /// a turn of the truth in a single step, an estimate that starts again at its origin, a change of
-/// units. One sentence each, with the frames; nothing for a curve without outliers, whatever its
-/// noise.
+/// units. One sentence each, with the frames; nothing for noise without outliers.
 std::vector<std::string> breaksOf(const Matches& matches);
 
 /// The pairs at which the estimate starts again at its origin, as after a loss of tracking.
@@ -74,8 +71,7 @@ Extrinsic extrinsicOf(const Matches& matches, bool with_axes);
 /// where too few poses match, or the truth does not turn.
 std::optional<Extrinsic> bodyOf(const Matches& matches);
 
-/// The matrix of this determinant that takes the motions of the truth's body to those of the camera
-/// best.
+/// The matrix of this determinant that turns the truth's motions to the camera's best.
 Eigen::Matrix3d bestAxes(const std::vector<Stretch>& motions, double determinant);
 
 /// The truth's motions in other axes of its body.
@@ -108,9 +104,8 @@ struct ClockOffset {
   double seconds = 0;  ///< or frames
   double sigma = 0;
 };
-/// What to add to the time of an estimated pose to find the time at which the truth turns as it
-/// does. From the rates of turning: the offset with the smallest ATE depends on drift. None where
-/// there are too few motions.
+/// What to add to the time of an estimated pose to find the truth that turns as it does. From rates
+/// of turning: the offset with the smallest ATE depends on drift. None for too few motions.
 std::optional<ClockOffset> clockOffset(const TruthOverTime& truth, const Matches& matches);
 
 /// The matches with the truth `offset` later; pairs beyond its ends count as not tracked.

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <optional>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -336,63 +335,26 @@ void append(Trajectory& trajectory, TrajectoryPose pose, const Columns& columns)
   trajectory.push_back(pose);
 }
 
-/// Detects a file that was cut within the last number of a line: the last line has no line break,
-/// and its last number has fewer decimals than that of every line before.
-class CutLine {
- public:
-  void check(std::string_view last_word, bool has_end) {
-    const std::size_t decimals = last_word.size() - std::min(last_word.find('.'), last_word.size());
-    if (!has_end && lines_ >= 2 && decimals < fewest_) {
-      throw LineError("the file ends within this line, its last number " + inQuotes(last_word) +
-                      " is cut; put back the whole file");
-    }
-    fewest_ = std::min(fewest_, decimals);
-    ++lines_;
-  }
-
- private:
-  std::size_t fewest_ = std::string_view::npos;
-  int lines_ = 0;
-};
-
-/// Of a file, or of what comes through a pipe until its end.
-Result<std::string> textOf(const std::filesystem::path& path) {
-  constexpr std::size_t kMost = std::size_t{1} << 30;
-  if (std::filesystem::is_directory(path)) return Status::invalidInput("is a folder; give a file");
-  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) {
-    const std::string why = std::generic_category().message(errno);
-    return Status::invalidInput("cannot be read (" + why + "); check path and permissions");
-  }
-  ::fcntl(file, F_SETFL, O_RDONLY);  // a pipe whose writer is at work is waited for
-  std::string text;
-  std::array<char, 1 << 16> bytes;
-  ssize_t got = 1;
-  while (got > 0 && text.size() <= kMost) {
-    got = ::read(file, bytes.data(), bytes.size());
-    if (got > 0) text.append(bytes.data(), static_cast<std::size_t>(got));
-  }
-  ::close(file);
-  if (text.size() > kMost) return Status::invalidInput("has more than 1 GiB");
-  if (got < 0) return Status::invalidInput("cannot be read to its end; check the disk");
-  if (text.empty() && std::filesystem::is_fifo(path)) {
-    return Status::invalidInput("nobody writes to this pipe; start its writer first");
-  }
-  return text;
-}
-
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_written) {
-  const Result<std::string> text = textOf(file);
-  if (!text.isOk()) return Status::invalidInput(file.string() + ": " + text.status().message());
-  if (const std::string problem = text_encoding::encodingProblem(text.value()); !problem.empty()) {
-    return Status::invalidInput(file.string() + ": " + problem);
+  const auto refuse = [&](const std::string& why) {
+    return Status::invalidInput(file.string() + ": " + why);
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) return refuse("is a folder; give a file");
+  std::ifstream given(file, std::ios::binary);
+  if (!given) {
+    return refuse("cannot be read (" + std::generic_category().message(errno) +
+                  "); check path and permissions");
   }
-  std::istringstream stream(std::string(text_encoding::withoutMark(text.value())));
+  const std::string text(std::istreambuf_iterator<char>(given), {});
+  if (const std::string problem = text_encoding::encodingProblem(text); !problem.empty()) {
+    return refuse(problem);
+  }
+  std::istringstream stream(std::string(text_encoding::withoutMark(text)));
   Trajectory trajectory;
   std::optional<Columns> comment, columns;
-  CutLine cut_line;
   std::string line;
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
     try {
@@ -409,13 +371,12 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_wri
         columns = fits ? *comment : columnsOf(entries);
       }
       append(trajectory, poseOf(entries, *columns, as_written), *columns);
-      cut_line.check(entries.back(), !stream.eof());
     } catch (const LineError& error) {
-      return Status::invalidInput(file.string() + ":" + std::to_string(number_of_line) + ": " +
-                                  error.what());
+      return Status::invalidInput(
+          fmt::format("{}:{}: {}", file.string(), number_of_line, error.what()));
     }
   }
-  if (trajectory.empty()) return Status::invalidInput(file.string() + ": holds no pose");
+  if (trajectory.empty()) return refuse("holds no pose");
   return trajectory;
 }
 

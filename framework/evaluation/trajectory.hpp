@@ -32,8 +32,7 @@ bool hasOrientations(const Trajectory& trajectory);
 /// Median of the times between poses, ns (of an even number of them the smaller middle one).
 std::int64_t medianStep(const Trajectory& trajectory);
 
-/// The pose at a time: between two poses positions are linear, rotations spherically linear
-/// (slerp).
+/// The pose at a time: positions between two poses are linear, rotations slerp.
 struct PoseAt {
   Eigen::Isometry3d T_world_camera;
   std::size_t before = 0;  ///< index of the pose at or before this time
@@ -56,8 +55,7 @@ Eigen::Matrix3Xd centredPositions(const Trajectory& trajectory);
 /// Size of the box around the positions, along the axes of the first pose, m.
 Eigen::Vector3d extentFromFirst(const Trajectory& trajectory);
 
-/// Distance travelled up to each pose, m: as long as the trajectory, starting with 0. Nothing is
-/// added from one session to the next.
+/// Distance travelled up to each pose, m, from 0; nothing from one session to the next.
 std::vector<double> distances(const Trajectory& trajectory);
 
 /// Length of the whole path, m; 0 for fewer than two poses.

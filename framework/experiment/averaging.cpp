@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 
+#include "base/must.hpp"
 #include "config/text.hpp"
-#include "evaluation/errors.hpp"
 #include "experiment/comparison.hpp"
 #include "tolman/context.hpp"
 
@@ -54,71 +53,67 @@ bool sameResults(const RunRow& a, const RunRow& b) {
 
 }  // namespace
 
-Status refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
-                      bool mixed_coverage) {
+void refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
+                    bool mixed_coverage) {
   const RunRow& first = *runs.front();
   std::map<std::string, const RunRow*> of_sequence;
   for (const RunRow* run : runs) {
     const auto mixed = [&](const RunRow& with, const std::string& what) {
-      return Status::invalidInput("'" + with.name + "' and '" + run->name + "' " + what);
+      throw Refused{Status::invalidInput("'" + with.name + "' and '" + run->name + "' " + what)};
     };
     if (run->alignment != first.alignment) {
-      return mixed(first, "are aligned by " + first.alignment + " and " + run->alignment +
-                              ", whose errors are not to be averaged; set evaluation.alignment, or "
-                              "choose runs with --only");
+      mixed(first, "are aligned by " + first.alignment + " and " + run->alignment +
+                       ", whose errors are not to be averaged; set evaluation.alignment, or "
+                       "choose runs with --only");
     }
     const double coverage = coverageOf(*run);
     if (coverage <= 0) {
-      return Status::invalidInput(
+      must(Status::invalidInput(
           "'" + run->name +
           "' has not tracked a single frame of the truth, so that its errors are those of standing "
-          "still; leave it out with --only");
+          "still; leave it out with --only"));
     }
     const RunRow& same = *of_sequence.try_emplace(run->label("sequence"), run).first->second;
     if (run->truth != same.truth) {
-      return mixed(same,
-                   "have different true poses; name the sequences in the sweep, or choose runs "
-                   "with --only");
+      mixed(same,
+            "have different true poses; name the sequences in the sweep, or choose runs with "
+            "--only");
     }
     if (!mixed_coverage && std::abs(coverage - coverageOf(same)) > kSameCoverage) {
-      return mixed(
-          same, fmt::format("cover {:.1f} % and {:.1f} % of the truth, so that their errors are of "
-                            "different paths; --mixed-coverage averages them all the same",
-                            100 * coverageOf(same), 100 * coverage));
+      mixed(same, fmt::format("cover {:.1f} % and {:.1f} % of the truth, so that their errors are "
+                              "of different paths; --mixed-coverage averages them all the same",
+                              100 * coverageOf(same), 100 * coverage));
     }
     for (const std::string& metric : metrics) {
       const auto lengths = lengthsOf(first, metric), own = lengthsOf(*run, metric);
       if (own == lengths) continue;
-      return mixed(first, "have drifts over segments of " + lengthsText(lengths) + " and of " +
-                              lengthsText(own) +
-                              ", which are not to be averaged; set evaluation.segments, or choose "
-                              "runs with --only");
+      mixed(first, "have drifts over segments of " + lengthsText(lengths) + " and of " +
+                       lengthsText(own) +
+                       ", which are not to be averaged; set evaluation.segments, or choose runs "
+                       "with --only");
     }
   }
-  return Status::ok();
 }
 
-Status oneSetting(const RunRow& a, const RunRow& b) {
-  return Status::invalidInput("'" + a.name + "' (" + a.directory.string() + ") and '" + b.name +
-                              "' (" + b.directory.string() +
-                              ") are of one setting, with the same factors and seed, and have "
-                              "different results; leave one of them out");
+void refuseSetting(const RunRow& a, const RunRow& b) {
+  throw Refused{Status::invalidInput(
+      "'" + a.name + "' (" + a.directory.string() + ") and '" + b.name + "' (" +
+      b.directory.string() +
+      ") are of one setting, with the same factors and seed, and have different results; leave one "
+      "of them out")};
 }
 
-Result<std::string> mergeRepeats(std::vector<RunRow>& rows) {
+std::string mergeRepeats(std::vector<RunRow>& rows) {
   std::map<std::string, std::size_t> first;  // by setting
   std::vector<RunRow> kept;
   for (RunRow& row : rows) {
     const auto [same, is_new] = first.try_emplace(row.labelsWithout({}), kept.size());
-    if (is_new) {
-      kept.push_back(std::move(row));
-    } else if (!sameResults(kept[same->second], row)) {
-      return oneSetting(kept[same->second], row);
-    }
+    if (!is_new && !sameResults(kept[same->second], row)) refuseSetting(kept[same->second], row);
+    if (is_new) kept.push_back(std::move(row));
   }
   const std::size_t repeated = rows.size() - kept.size();
   rows = std::move(kept);
-  if (repeated == 0) return std::string();
+  if (repeated == 0) return "";
   return fmt::format(
       "{} of {} runs were given twice: another of the same factors and seed has the same results. "
       "They count once.",
@@ -219,12 +214,7 @@ using evaluation::quantile;
 
 constexpr std::size_t kResamples = 10'000;
 
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Twice the rank (from 1) of each value. Equal values share their mean rank, so only twice the
-/// rank is an integer.
+/// Twice the rank (from 1) of each value: equal values share their mean rank.
 std::vector<std::size_t> doubleRanks(const std::vector<double>& sizes) {
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -254,22 +244,6 @@ std::vector<double> sumDistribution(const std::vector<std::size_t>& steps) {
 }
 
 }  // namespace
-
-Summary summaryOf(std::vector<double> values) {
-  Summary summary;
-  if (values.empty()) return summary;
-  std::ranges::sort(values);
-  summary.n = values.size();
-  summary.mean = meanOf(values);
-  summary.median = quantile(values, 0.5);
-  summary.low = values.front();
-  summary.high = values.back();
-  if (values.size() < 2) return summary;
-  double squares = 0;
-  for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
-  summary.deviation = std::sqrt(squares / static_cast<double>(values.size() - 1));
-  return summary;
-}
 
 Interval bootstrapMean(const std::vector<std::vector<double>>& groups, std::uint64_t seed) {
   RandomStream random(seed);

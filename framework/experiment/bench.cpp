@@ -9,7 +9,6 @@
 #include <atomic>
 #include <fstream>
 #include <iterator>
-#include <string>
 
 #include "engine/drive.hpp"
 #include "host/scratch_folder.hpp"
@@ -30,8 +29,7 @@ double peakResidentMib() {
 }
 void resetPeakResident() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-/// Collects the times of the stages, and cancels the run after `frames`. Frames that are still in
-/// flight then are finished and not counted.
+/// Collects times of stages, and cancels the run after `frames`; later ones do not count.
 class TimingListener : public engine::Listener, public Cancellation {
  public:
   TimingListener(const Clock& clock, const Cancellation& cancellation, std::int64_t frames,

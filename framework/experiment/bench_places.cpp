@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/bench_places.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "config/values.hpp"
 #include "engine/provenance.hpp"
 #include "evaluation/loops.hpp"
+#include "experiment/bench.hpp"
 
 namespace tolman::experiment {
 
@@ -183,8 +181,7 @@ class PlacesMeasurement {
     keepState(second);
   }
 
-  /// Whether a parameter of the source has this value (as JSON), or the source has none of that
-  /// name.
+  /// Whether a parameter of the source has this value (as JSON), or the source has no such one.
   static bool isSourceAt(const engine::CheckedSystem& system, const std::string& name,
                          const std::string& value) {
     const ParameterValues& source = system.values.at(system.config.stages.front().instance);
@@ -192,8 +189,7 @@ class PlacesMeasurement {
     return found == source.end() || engine::valueJson(found->second).dump() == value;
   }
 
-  /// The numbers of pairs are those of the images in the recording, so all images must be shown, in
-  /// their order.
+  /// Pairs number the images of the recording: all must be shown, in their order.
   static void refuseSelection(const engine::CheckedSystem& system) {
     for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
                                       {"step", "1"},

@@ -5,9 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
+#include "base/must.hpp"
 #include "config/text.hpp"
 
 namespace tolman::experiment {
@@ -15,21 +15,21 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+[[noreturn]] void refuse(const std::string& why) { throw Refused{Status::invalidParameter(why)}; }
+
 /// `wanted`, or the one name that ends with it. `kind` is what messages call a name.
-Result<std::string> fullName(const std::string& kind, const std::string& wanted, const Names& names,
-                             const std::string& advice) {
+std::string fullName(const std::string& kind, const std::string& wanted, const Names& names,
+                     const std::string& advice) {
   if (std::ranges::find(names, wanted) != names.end()) return wanted;
   Names ends;
   for (const std::string& name : names) {
     if (name.ends_with("." + wanted)) ends.push_back(name);
   }
   if (ends.size() == 1) return ends.front();
-  if (ends.empty()) {
-    return Status::invalidParameter("no " + kind + " '" + wanted + "'" +
-                                    config::didYouMean(wanted, names) + advice);
+  if (!ends.empty()) {
+    refuse("more than one " + kind + " ends with '" + wanted + "': " + config::listed(ends));
   }
-  return Status::invalidParameter("more than one " + kind + " ends with '" + wanted +
-                                  "': " + config::listed(ends));
+  refuse("no " + kind + " '" + wanted + "'" + config::didYouMean(wanted, names) + advice);
 }
 
 /// Without --by all factors that vary; if none does, the first. None where each run is a level.
@@ -46,7 +46,7 @@ Names factorsThatVary(const std::vector<RunRow>& rows) {
 }
 
 /// Fills the full name of the metric, and removes runs without it.
-Status chooseMetric(std::vector<RunRow>& rows, const std::string& wanted, Comparison& comparison) {
+void chooseMetric(std::vector<RunRow>& rows, const std::string& wanted, Comparison& comparison) {
   std::set<std::string> known;
   for (const RunRow& row : rows) {
     for (const auto& [name, value] : row.metrics) known.insert(name);
@@ -56,21 +56,18 @@ Status chooseMetric(std::vector<RunRow>& rows, const std::string& wanted, Compar
   std::erase_if(plain, [](const std::string& name) { return name.find('.') != name.npos; });
   const bool has_truth =
       std::ranges::any_of(rows, [](const RunRow& row) { return !row.truth.empty(); });
-  const Result<std::string> full =
+  const std::string& full = comparison.metric =
       fullName("metric", wanted, names,
                std::string(" in metrics.json") +
                    (has_truth ? "" : "; the runs have no true poses, and so no errors") +
                    "; set --metric, for example to one of: " + config::listed(plain));
-  if (!full.isOk()) return full.status();
-  comparison.metric = full.value();
   const std::size_t all = rows.size();
   const std::size_t without =
-      std::erase_if(rows, [&](const RunRow& row) { return !row.metrics.contains(full.value()); });
+      std::erase_if(rows, [&](const RunRow& row) { return !row.metrics.contains(full); });
   if (without > 0) {
     comparison.notes.push_back(
-        fmt::format("{} of {} runs have no {} and are left out.", without, all, full.value()));
+        fmt::format("{} of {} runs have no {} and are left out.", without, all, full));
   }
-  return Status::ok();
 }
 
 /// Sorts by number if all first labels are numbers.
@@ -90,16 +87,11 @@ class Comparer {
   Comparer(std::vector<RunRow> rows, const ComparisonOptions& options, Comparison& comparison)
       : rows_(std::move(rows)), options_(options), comparison_(comparison) {}
 
-  Status run() {
+  void run() {
     RunPointers pointers;
     for (const RunRow& row : rows_) pointers.push_back(&row);
-    Status status = refuseMixtures(pointers, {comparison_.metric}, options_.mixed_coverage);
-    if (status.isOk() && !comparison_.by.empty()) {
-      const Result<std::string> repeated = mergeRepeats(rows_);
-      note(repeated.isOk() ? repeated.value() : "");
-      status = repeated.status();
-    }
-    if (!status.isOk()) return status;
+    refuseMixtures(pointers, {comparison_.metric}, options_.mixed_coverage);
+    if (!comparison_.by.empty()) note(mergeRepeats(rows_));
     std::set<std::string> truths, sequences;
     for (RunRow& row : rows_) {
       truths.insert(row.truth);
@@ -112,7 +104,7 @@ class Comparer {
     comparison_.alignment = rows_.front().alignment;
     noteEqualResults();
     for (const std::string& text : trackingNotes(rows_)) note(text);
-    return fillLevels();
+    fillLevels();
   }
 
  private:
@@ -158,7 +150,7 @@ class Comparer {
     }
   }
 
-  Status fillLevels() {
+  void fillLevels() {
     Names order;
     std::map<std::string, Values> values;  // by level
     Names left_out = comparison_.by;
@@ -170,14 +162,13 @@ class Comparer {
       const auto [other, is_new] = values[label][row.label("sequence")].try_emplace(
           is_level ? "" : row.labelsWithout(left_out),
           Measured{row.metrics.at(comparison_.metric), row.label("seed"), &row});
-      if (!is_new) return oneSetting(*other->second.row, row);
+      if (!is_new) refuseSetting(*other->second.row, row);
     }
     sortLevels(order);
     comparison_.baseline = options_.baseline.empty() ? order.front() : options_.baseline;
     if (!values.contains(comparison_.baseline)) {
-      return Status::invalidParameter("no level '" + options_.baseline + "'" +
-                                      config::didYouMean(options_.baseline, order) +
-                                      "; levels: " + config::listed(order));
+      refuse("no level '" + options_.baseline + "'" + config::didYouMean(options_.baseline, order) +
+             "; levels: " + config::listed(order));
     }
     const Values& baseline = values.at(comparison_.baseline);
     for (const std::string& label : order) {
@@ -187,7 +178,6 @@ class Comparer {
     if (fewest_ >= kMinSeeds && order.size() > 1) note(fewSamplesNote(sequences_, fewest_));
     if (order.size() > 1) note(sameTruthNote(rows_));
     noteUnevenRuns(values);
-    return Status::ok();
   }
 
   /// For each sequence the means of its seeds: runs of one seed that differ in other factors are
@@ -203,7 +193,7 @@ class Comparer {
       }
       if (seeds.empty()) continue;
       groups.emplace_back();
-      for (const auto& [seed, of] : seeds) groups.back().push_back(summaryOf(of).mean);
+      for (const auto& [seed, of] : seeds) groups.back().push_back(evaluation::statistics(of).mean);
     }
     return groups;
   }
@@ -215,7 +205,7 @@ class Comparer {
       level.directories.push_back(run.row->directory);
       return std::optional(run.value);
     });
-    level.summary = summaryOf(level.values);
+    level.summary = evaluation::statistics(level.values);
     if (fewest_ >= kMinSeeds) level.interval = bootstrapMean(groups, options_.seed);
     return level;
   }
@@ -234,10 +224,10 @@ class Comparer {
     std::vector<double> means;
     std::size_t fewest = fewest_;
     for (const std::vector<double>& group : groups) {
-      means.push_back(summaryOf(group).mean);
+      means.push_back(evaluation::statistics(group).mean);
       fewest = std::min(fewest, group.size());
     }
-    paired.mean = summaryOf(means).mean;
+    paired.mean = evaluation::statistics(means).mean;
     // Of one sequence of several, seeds would be tested where the other levels test sequences.
     const bool is_of_seeds = groups.size() == 1 && sequences_ > 1;
     if (fewest < kMinSeeds || is_of_seeds) return paired;
@@ -252,7 +242,7 @@ class Comparer {
     Names uneven;
     std::set<std::size_t> sizes;
     for (const Level& level : comparison_.levels) {
-      sizes.insert(level.summary.n);
+      sizes.insert(level.summary.count);
       std::set<std::size_t> runs, seeds;
       for (const auto& [sequence, own] : values.at(level.label)) {
         std::map<std::string, std::size_t> by_seed;
@@ -289,16 +279,16 @@ Json highOf(const std::optional<Interval>& range) { return range ? Json(range->h
 
 /// As the keys of tableOf().
 std::vector<Json> valuesOf(const Level& level) {
-  const Summary& s = level.summary;
+  const evaluation::Statistics& s = level.summary;
   std::vector<Json> values = {level.label,
-                              s.n,
+                              s.count,
                               s.mean,
                               lowOf(level.interval),
                               highOf(level.interval),
                               s.median,
-                              s.n > 1 ? Json(s.deviation) : Json(),
-                              s.low,
-                              s.high};
+                              s.count > 1 ? Json(s.deviation) : Json(),
+                              s.min,
+                              s.max};
   const PairedDifference none;
   const PairedDifference& d = level.difference ? *level.difference : none;
   for (const Json& value :
@@ -345,49 +335,42 @@ bool hasLabels(const RunRow& row, const Labels& only) {
   });
 }
 
-Result<Names> fullFactors(const std::vector<RunRow>& rows, const Names& wanted) {
+Names fullFactors(const std::vector<RunRow>& rows, const Names& wanted) {
   const Names names = factorNames(rows);
   Names full;
   for (const std::string& name : wanted) {
-    const auto found = fullName("factor", name, names, "; factors: " + config::listed(names));
-    if (!found.isOk()) return found.status();
-    full.push_back(found.value());
+    full.push_back(fullName("factor", name, names, "; factors: " + config::listed(names)));
   }
   return full;
 }
 
-Result<std::vector<RunRow>> selectRuns(std::vector<RunRow> rows, const Labels& only) {
+std::vector<RunRow> selectRuns(std::vector<RunRow> rows, const Labels& only) {
   Labels full;
-  for (const auto& [factor, label] : only) {
-    const Result<Names> name = fullFactors(rows, {factor});
-    if (!name.isOk()) return name.status();
-    full.emplace_back(name.value().front(), label);
+  for (const auto& [given, label] : only) {
+    const std::string factor = fullFactors(rows, {given}).front();
+    full.emplace_back(factor, label);
     std::set<std::string> known;
-    for (const RunRow& row : rows) known.insert(row.label(full.back().first));
+    for (const RunRow& row : rows) known.insert(row.label(factor));
     if (known.contains(label)) continue;
     const Names labels(known.begin(), known.end());
-    return Status::invalidParameter("no run has " + full.back().first + "=" + label +
-                                    config::didYouMean(label, labels) +
-                                    "; values: " + config::listed(labels));
+    refuse("no run has " + factor + "=" + label + config::didYouMean(label, labels) +
+           "; values: " + config::listed(labels));
   }
   std::erase_if(rows, [&](const RunRow& row) { return !hasLabels(row, full); });
-  if (rows.empty()) return Status::invalidParameter("no run is left to compare");
+  if (rows.empty()) refuse("no run is left to compare");
   return rows;
 }
 
 Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options) {
-  Comparison comparison;
-  Result<std::vector<RunRow>> chosen = selectRuns(rows, options.only);
-  if (!chosen.isOk()) return chosen.status();
-  const Result<Names> by = fullFactors(chosen.value(), options.by);
-  if (!by.isOk()) return by.status();
-  comparison.by = options.by.empty() ? factorsThatVary(chosen.value()) : by.value();
-  Status status = chooseMetric(chosen.value(), options.metric, comparison);
-  if (status.isOk()) {
-    status = Comparer(std::move(chosen).value(), options, comparison).run();
-  }
-  if (!status.isOk()) return status;
-  return comparison;
+  return resultOf([&] {
+    Comparison comparison;
+    std::vector<RunRow> chosen = selectRuns(rows, options.only);
+    comparison.by = fullFactors(chosen, options.by);
+    if (options.by.empty()) comparison.by = factorsThatVary(chosen);
+    chooseMetric(chosen, options.metric, comparison);
+    Comparer(std::move(chosen), options, comparison).run();
+    return comparison;
+  });
 }
 
 Table tableOf(const Comparison& comparison) {

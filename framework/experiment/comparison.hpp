@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "evaluation/errors.hpp"
 #include "experiment/sweep_file.hpp"
 #include "experiment/tables.hpp"
 #include "tolman/status.hpp"
@@ -56,16 +57,6 @@ std::vector<std::string> factorNames(const std::vector<RunRow>& rows);
 
 // Statistics of repeated runs.
 
-struct Summary {
-  std::size_t n = 0;
-  double mean = 0;
-  double median = 0;
-  double deviation = 0;  ///< standard deviation, n - 1; 0 for one value
-  double low = 0;        ///< smallest value
-  double high = 0;
-};
-Summary summaryOf(std::vector<double> values);
-
 struct Interval {
   double low = 0;
   double high = 0;
@@ -73,8 +64,7 @@ struct Interval {
 
 /// The 95 % percentile interval of the mean by the bootstrap (Efron 1979), from 10,000 resamples.
 /// With several groups (sequences) a resample draws groups with replacement, then values (seeds)
-/// within each group with replacement; its mean is the mean of the group means. Groups must not be
-/// empty.
+/// within each; its mean is the mean of the group means. No group is empty.
 Interval bootstrapMean(const std::vector<std::vector<double>>& groups, std::uint64_t seed);
 
 struct SignedRank {
@@ -82,8 +72,7 @@ struct SignedRank {
   double p = 1;  ///< two-sided, exact (over all signs of the ranks); ties share their mean rank
   double effect = 0;  ///< matched-pairs rank-biserial correlation, -1 to 1 (Kerby 2014)
 };
-/// Wilcoxon's signed rank test of differences against zero. Zeros are left out (Wilcoxon 1945).
-/// At most 1000 differences.
+/// Wilcoxon's signed rank test of at most 1000 differences against zero; zeros are left out (1945).
 SignedRank signedRank(const std::vector<double>& differences);
 
 /// Factors and labels: a run has, for each factor, one of its labels here.
@@ -115,7 +104,7 @@ struct Level {
   std::string label;
   std::vector<double> values{};                      ///< of all runs
   std::vector<std::filesystem::path> directories{};  ///< of the same runs
-  Summary summary{};
+  evaluation::Statistics summary{};
   std::optional<Interval> interval{};            ///< of the mean, as in PairedDifference
   std::optional<PairedDifference> difference{};  ///< to the baseline; none for the baseline
 };
@@ -132,8 +121,7 @@ struct Comparison {
 
 inline constexpr std::size_t kMinSeeds = 3;
 
-/// InvalidParameter for an unknown metric or factor; InvalidInput for runs that must not be
-/// averaged.
+/// InvalidParameter for unknown names; InvalidInput for runs that must not be averaged.
 Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options);
 
 Table tableOf(const Comparison& comparison);
@@ -152,37 +140,35 @@ struct PivotOptions {
 };
 
 /// A cell of several runs has the means of their metrics. InvalidParameter for unknown names and
-/// formats; InvalidInput where the runs of one cell differ in more than the seed, or must not be
-/// averaged.
+/// formats; InvalidInput for cells of different runs, or of runs that must not be averaged.
 Result<Table> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& options);
 
-/// The rows with the labels of `only`, whose factors may be given by their ends. InvalidParameter
-/// for unknown names, and if no row is left.
-Result<std::vector<RunRow>> selectRuns(std::vector<RunRow> rows, const Labels& only);
+// What comparisons and pivots share. Refusals are thrown (base/must.hpp).
+
+/// The rows with the labels of `only`, whose factors may be given by their ends.
+std::vector<RunRow> selectRuns(std::vector<RunRow> rows, const Labels& only);
 /// The full names of these factors of the rows.
-Result<std::vector<std::string>> fullFactors(const std::vector<RunRow>& rows,
-                                             const std::vector<std::string>& wanted);
+std::vector<std::string> fullFactors(const std::vector<RunRow>& rows,
+                                     const std::vector<std::string>& wanted);
 
 using RunPointers = std::vector<const RunRow*>;
 
-/// InvalidInput for runs with different alignments, for runs that tracked nothing, for runs of one
-/// sequence with different true poses or coverages (by more than 2 %), and where one of `metrics`
-/// is a drift over segments of different lengths. With `mixed_coverage` coverages may differ.
-Status refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
-                      bool mixed_coverage);
+/// Refuses runs with different alignments, runs that tracked nothing, runs of one sequence with
+/// different true poses or coverages (by more than 2 %), and where one of `metrics` is a drift over
+/// segments of different lengths. With `mixed_coverage` coverages may differ.
+void refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
+                    bool mixed_coverage);
 
 /// Keeps one run of each setting (same factors, seed and sequence). Returns a note about the number
-/// of removed runs, which have the same results; empty if there are none. InvalidInput for two runs
-/// of one setting with different results: they must not be in one statistic.
-Result<std::string> mergeRepeats(std::vector<RunRow>& rows);
-/// The failure that these two runs of one setting have different results.
-Status oneSetting(const RunRow& a, const RunRow& b);
+/// of removed runs, which have the same results; empty if there are none.
+std::string mergeRepeats(std::vector<RunRow>& rows);
+/// Two runs of one setting with different results must not be in one statistic.
+[[noreturn]] void refuseSetting(const RunRow& a, const RunRow& b);
 
 /// The labels of these factors, joined by ", ": the name of a row of a table.
 std::string levelName(const RunRow& row, const std::vector<std::string>& by);
 
-/// Factors besides seed and sequence whose levels never changed the results (byte for byte) in runs
-/// that are equal in all other factors.
+/// Factors besides seed and sequence that change no byte of the results, all others equal.
 std::vector<std::string> factorsWithoutEffect(const std::vector<RunRow>& rows);
 
 /// A warning about the signed rank test and the bootstrap for few sequences, or few seeds of one

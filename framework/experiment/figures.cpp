@@ -8,9 +8,9 @@
 #include <numeric>
 #include <utility>
 
+#include "base/must.hpp"
 #include "config/text.hpp"
 #include "evaluation/association.hpp"
-#include "evaluation/errors.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::experiment {
@@ -73,7 +73,7 @@ std::string axisLabel(const std::string& metric) {
 /// Step functions: at each value of the metric one more run is within the limit.
 Curves successCurves(const Comparison& comparison) {
   double most = 0;
-  for (const Level& level : comparison.levels) most = std::max(most, level.summary.high);
+  for (const Level& level : comparison.levels) most = std::max(most, level.summary.max);
   Curves curves;
   for (const Level& level : comparison.levels) {
     std::vector<double> sorted = level.values;
@@ -137,21 +137,14 @@ std::string boxes(const Comparison& comparison) {
 }
 
 /// The map transformed into the coordinates of the truth.
-Result<evaluation::Matches> alignedMap(const std::filesystem::path& directory,
-                                       const std::string& alignment) {
-  const auto reader = record::RunReader::open(directory);
-  if (!reader.isOk()) return reader.status();
-  const auto truth = reader.value()->truth();
-  const auto& map = reader.value()->map();
-  if (!truth.isOk()) return truth.status();
-  if (!map.isOk()) return map.status();
-  const auto matches = evaluation::associateByFrame(truth.value(), map.value());
-  if (!matches.isOk()) return matches.status();
+evaluation::Matches alignedMap(const std::filesystem::path& directory,
+                               const std::string& alignment) {
+  const auto reader = must(record::RunReader::open(directory));
+  const auto matches =
+      must(evaluation::associateByFrame(must(reader->truth()), must(reader->map())));
   const auto kind = config::valueNamed<evaluation::Alignment>(alignment);
-  const auto similarity =
-      evaluation::align(matches.value(), kind.value_or(evaluation::Alignment::Se3));
-  if (!similarity.isOk()) return similarity.status();
-  return evaluation::aligned(matches.value(), similarity.value());
+  return evaluation::aligned(
+      matches, must(evaluation::align(matches, kind.value_or(evaluation::Alignment::Se3))));
 }
 
 /// Mean error in each part of the path, m; for a part without frames that of the part before.
@@ -174,21 +167,20 @@ std::vector<double> errorsByPart(const evaluation::Matches& matches, bool planar
 }
 
 /// The position error (m) of the runs over the driven path (m): mean, and quartiles as a band.
-Result<Curve> errorCurve(const Level& level, const std::string& alignment, const char* colour) {
+Curve errorCurve(const Level& level, const std::string& alignment, const char* colour) {
   std::vector<std::vector<double>> parts(kParts);  // errors of the runs
   double length = 0;
   for (const auto& directory : level.directories) {
     const auto matches = alignedMap(directory, alignment);
-    if (!matches.isOk()) return matches.status();
-    length = evaluation::pathLength(matches.value().truth);
-    const auto errors = errorsByPart(matches.value(), alignment == "se2");
+    length = evaluation::pathLength(matches.truth);
+    const auto errors = errorsByPart(matches, alignment == "se2");
     for (std::size_t i = 0; i < kParts; ++i) parts[i].push_back(errors[i]);
   }
   Curve curve{level.label, colour, {}, {}};
   for (std::size_t i = 0; i < kParts; ++i) {
     std::ranges::sort(parts[i]);
     curve.x.push_back(length * (static_cast<double>(i) + 0.5) / kParts);
-    curve.y.push_back(summaryOf(parts[i]).mean);
+    curve.y.push_back(evaluation::statistics(parts[i]).mean);
     curve.low.push_back(quantile(parts[i], 0.25));
     curve.high.push_back(quantile(parts[i], 0.75));
   }
@@ -213,11 +205,11 @@ const std::filesystem::path& medianRun(const Level& level) {
 }
 
 /// Error or map of each level, from the records.
-Result<std::string> pathFigure(const Comparison& comparison, FigureKind kind) {
+std::string pathFigure(const Comparison& comparison, FigureKind kind) {
   if (comparison.truths > 1) {
-    return Status::invalidParameter("the figure '" + std::string(enumName(kind)) +
-                                    "' is of one true path: choose one with --only "
-                                    "sequence=LABEL");
+    must(Status::invalidParameter("the figure '" + std::string(enumName(kind)) +
+                                  "' is of one true path: choose one with --only "
+                                  "sequence=LABEL"));
   }
   const bool maps = kind == FigureKind::Maps;
   Curves curves;
@@ -226,48 +218,37 @@ Result<std::string> pathFigure(const Comparison& comparison, FigureKind kind) {
     const char* colour = report::lineColour(curves.size());
     if (maps) {
       const auto matches = alignedMap(medianRun(level), comparison.alignment);
-      if (!matches.isOk()) return matches.status();
-      curves.push_back(pathCurve(level.label, colour, matches.value().estimate));
-      truth = matches.value().truth;
+      curves.push_back(pathCurve(level.label, colour, matches.estimate));
+      truth = matches.truth;
     } else {
-      auto curve = errorCurve(level, comparison.alignment, colour);
-      if (!curve.isOk()) return curve.status();
-      curves.push_back(std::move(curve).value());
+      curves.push_back(errorCurve(level, comparison.alignment, colour));
     }
   }
   if (maps) curves.push_back(pathCurve("truth", report::kGrey, truth));
   const auto free = report::Range::none();
-  if (maps) return curveFigure({"", "x (m)", "y (m)", free, free, {}, true}, curves, kSize);
-  return curveFigure({"", "driven path (m)", "position error (m)", free, free, {}}, curves, kSize);
+  return report::curveFigure(
+      maps ? report::AxesPlan{"", "x (m)", "y (m)", free, free, {}, true}
+           : report::AxesPlan{"", "driven path (m)", "position error (m)", free, free, {}},
+      curves, kSize);
 }
 
 }  // namespace
 
-std::string curveFigure(report::AxesPlan plan, const Curves& curves, const Eigen::Vector2d& size) {
-  Curves named = curves;
-  if (named.size() == 1 && plan.title.empty()) named[0].name.clear();
-  constexpr double kLeft = 64, kRight = 12, kFoot = 44;
-  const double above = plan.title.empty() ? 0 : 30;
-  const double top = above + Axes::legendHeight(report::legendOf(named), size.x() - kRight - kLeft);
-  plan.place = report::frame(kLeft, top, size.x() - kRight, size.y() - kFoot);
-  Svg svg(size.x(), size.y());
-  report::plot(svg, std::move(plan), named);
-  return svg.take();
-}
-
 Result<std::string> comparisonFigure(const Comparison& comparison, FigureKind kind) {
-  if (kind == FigureKind::Maps || kind == FigureKind::Distance) return pathFigure(comparison, kind);
+  if (kind == FigureKind::Maps || kind == FigureKind::Distance) {
+    return resultOf([&] { return pathFigure(comparison, kind); });
+  }
   const std::string metric = axisLabel(comparison.metric);
   const auto free = report::Range::none();
   if (kind == FigureKind::Success) {
-    return curveFigure({"", "limit: " + metric, "runs within (%)", free, free, {}},
-                       successCurves(comparison), kSize);
+    return report::curveFigure({"", "limit: " + metric, "runs within (%)", free, free, {}},
+                               successCurves(comparison), kSize);
   }
   const Curves lines = kind == FigureKind::Box ? Curves() : linesOf(comparison);
   const bool has_line =
       std::ranges::any_of(lines, [](const Curve& line) { return line.x.size() > 1; });
   if (has_line) {
-    return curveFigure({"", factorName(comparison), metric, free, free, {}}, lines, kSize);
+    return report::curveFigure({"", factorName(comparison), metric, free, free, {}}, lines, kSize);
   }
   if (kind != FigureKind::Line) return boxes(comparison);
   return Status::invalidParameter("no line can be drawn over '" + factorName(comparison) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Figures of measurements: curves, and those of a comparison, as wide as a column of a paper (88.9
+// Figures of a comparison, as wide as a column of a paper (88.9
 // mm), in colours that colour-blind readers can distinguish (Okabe and Ito 2008).
 #pragma once
 
@@ -13,10 +13,6 @@
 #include "report/axes.hpp"
 
 namespace tolman::experiment {
-
-/// Curves in axes (whose place is chosen), with their legend above, as SVG. `size` in px.
-std::string curveFigure(report::AxesPlan plan, const std::vector<report::Curve>& curves,
-                        const Eigen::Vector2d& size);
 
 enum class FigureKind : std::uint8_t {
   Auto,     ///< Line where the first factor is a number, else Box

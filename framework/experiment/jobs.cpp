@@ -5,111 +5,26 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <memory>
-#include <set>
 #include <system_error>
 #include <thread>
-#include <utility>
 
+#include "base/must.hpp"
 #include "base/text_file.hpp"
+#include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "host/child_process.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::experiment {
+
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The text as one word of a shell.
-std::string shellWord(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
-class JobFiles {
- public:
-  JobFiles(fs::path sweep, const std::string& name, const std::vector<PlannedRun>& runs,
-           const std::vector<std::string>& command, const FindConfig& find_config)
-      : sweep_(std::move(sweep)), name_(shellWord(name)), find_config_(find_config) {
-    for (const std::string& word : command) {
-      command_ += (command_.empty() ? "" : " ") + shellWord(word);
-    }
-    const auto is_to_do = [&](const std::string& folder) {
-      return !folder.empty() && std::ranges::find(runs, folder, &PlannedRun::folder) != runs.end();
-    };
-    for (const PlannedRun& run : runs) {
-      const bool waits = is_to_do(run.front_end_folder) || is_to_do(run.answers_folder);
-      lists_.at(waits ? 1 : 0).push_back(run);
-    }
-  }
-
-  void slurm() {
-    for (const std::size_t i : {0, 1}) write(fmt::format("runs-{}.txt", i + 1), lines(i, ""));
-    fill("array.sh", {{"COMMAND", command_}});
-    fill("submit.sh", {{"NAME", name_}});
-  }
-
-  void parallel() {
-    for (const std::size_t i : {0, 1}) {
-      write(fmt::format("commands-{}.txt", i + 1), lines(i, command_ + " "));
-    }
-  }
-
-  void snakemake() {
-    std::string takes;
-    for (const std::size_t i : {0, 1}) {
-      for (const PlannedRun& run : lists_.at(i)) {
-        const std::string& front =
-            run.front_end_folder.empty() ? run.answers_folder : run.front_end_folder;
-        takes += fmt::format("    \"{}\": \"{}\",\n", run.folder, i == 0 ? "" : front);
-        std::error_code ignored;
-        fs::remove(sweep_ / run.folder / "ended", ignored);  // of an earlier attempt
-      }
-    }
-    fill("Snakefile", {{"TAKES", takes}, {"COMMAND", command_}});
-  }
-
-  Result<std::vector<fs::path>> result() const {
-    if (!status_.isOk()) return status_;
-    return written_;
-  }
-
- private:
-  /// The folders of list i, one a line; behind a command as words of a shell.
-  std::string lines(std::size_t i, const std::string& command) const {
-    std::string text;
-    for (const PlannedRun& run : lists_.at(i)) {
-      const std::string folder = (sweep_ / run.folder).string();
-      text += command.empty() ? folder + "\n" : command + shellWord(folder) + "\n";
-    }
-    return text;
-  }
-
-  void fill(const std::string& file, const Placeholders& values) {
-    const Result<std::string> text = filledTemplate(find_config_("configs/jobs/" + file), values);
-    if (!text.isOk()) status_ = text.status();
-    if (text.isOk()) write(file, text.value());
-  }
-
-  void write(const std::string& file, const std::string& text) {
-    if (!status_.isOk()) return;
-    status_ = record::writeAtomically(sweep_ / file, text);
-    written_.push_back(sweep_ / file);
-  }
-
-  fs::path sweep_;
-  std::string name_;
-  const FindConfig& find_config_;
-  std::string command_;
-  std::array<std::vector<PlannedRun>, 2> lists_;  ///< those of the second after the first
-  std::vector<fs::path> written_;
-  Status status_;
-};
 
 /// Runs the processes of runLocally().
 class Jobs {
@@ -222,30 +137,171 @@ class Jobs {
 
 }  // namespace
 
-Result<std::string> filledTemplate(const fs::path& file, const Placeholders& values) {
-  Result<std::string> text = text_encoding::readText(file);
-  if (!text.isOk()) return text;
-  for (const auto& [name, value] : values) {
-    boost::replace_all(text.value(), "@" + name + "@", value);
-  }
+JobsState runLocally(const fs::path& sweep, const std::vector<PlannedRun>& runs,
+                     const LocalJobsOptions& options, const Cancellation& cancellation) {
+  return Jobs(sweep, runs, options, cancellation).run();
+}
+
+namespace {
+
+/// The text as one word of a shell.
+std::string shellWord(const std::string& text) {
+  return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'";
+}
+
+using Placeholders = std::map<std::string, std::string>;
+
+/// configs/jobs/NAME with each @KEY@ replaced by its value.
+std::string filled(const FindConfig& find_config, const std::string& name,
+                   const Placeholders& values) {
+  std::string text = must(text_encoding::readText(find_config("configs/jobs/" + name)));
+  for (const auto& [key, value] : values) boost::replace_all(text, "@" + key + "@", value);
   return text;
 }
+
+std::string textOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Replaces `from` where it is a whole value or the begin of a path.
+void replacePath(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    const char after = at + from.size() < text.size() ? text[at + from.size()] : '\n';
+    const bool whole = std::string_view("\n\"'/, ]}").find(after) != std::string_view::npos;
+    if (whole) text.replace(at, from.size(), to);
+    at += whole ? to.size() : from.size();
+  }
+}
+
+}  // namespace
 
 Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::string& name,
                                             const std::vector<PlannedRun>& runs,
                                             const std::vector<std::string>& command,
                                             const std::string& kind,
                                             const FindConfig& find_config) {
-  JobFiles files(sweep, name, runs, command, find_config);
-  if (kind == "slurm") files.slurm();
-  if (kind == "parallel") files.parallel();
-  if (kind == "snakemake") files.snakemake();
-  return files.result();
+  std::string words;
+  for (const std::string& word : command) words += (words.empty() ? "" : " ") + shellWord(word);
+  const auto is_to_do = [&](const std::string& folder) {
+    return !folder.empty() && std::ranges::find(runs, folder, &PlannedRun::folder) != runs.end();
+  };
+  std::array<std::string, 2> folders, commands;  // those of the second list after the first
+  std::string takes;                             // what each run waits for
+  for (const PlannedRun& run : runs) {
+    const bool waits = is_to_do(run.front_end_folder) || is_to_do(run.answers_folder);
+    const std::string folder = (sweep / run.folder).string();
+    folders.at(waits ? 1 : 0) += folder + "\n";
+    commands.at(waits ? 1 : 0) += words + " " + shellWord(folder) + "\n";
+    takes += fmt::format("    \"{}\": \"{}\",\n", run.folder,
+                         !waits                         ? ""
+                         : run.front_end_folder.empty() ? run.answers_folder
+                                                        : run.front_end_folder);
+    std::error_code ignored;
+    if (kind == "snakemake") fs::remove(folder + "/ended", ignored);  // of an earlier attempt
+  }
+  return resultOf([&] {
+    std::vector<std::pair<const char*, std::string>> files;
+    if (kind == "slurm") {
+      files = {{"runs-1.txt", folders[0]},
+               {"runs-2.txt", folders[1]},
+               {"array.sh", filled(find_config, "array.sh", {{"COMMAND", words}})},
+               {"submit.sh", filled(find_config, "submit.sh", {{"NAME", shellWord(name)}})}};
+    } else if (kind == "parallel") {
+      files = {{"commands-1.txt", commands[0]}, {"commands-2.txt", commands[1]}};
+    } else {
+      files = {
+          {"Snakefile", filled(find_config, "Snakefile", {{"TAKES", takes}, {"COMMAND", words}})}};
+    }
+    std::vector<fs::path> written;
+    for (const auto& [file, text] : files) {
+      must(record::writeAtomically(written.emplace_back(sweep / file), text));
+    }
+    return written;
+  });
 }
 
-JobsState runLocally(const fs::path& sweep, const std::vector<PlannedRun>& runs,
-                     const LocalJobsOptions& options, const Cancellation& cancellation) {
-  return Jobs(sweep, runs, options, cancellation).run();
+namespace {
+
+class Archive {
+ public:
+  Archive(const fs::path& sweep, fs::path folder)
+      : sweep_(fs::absolute(sweep).lexically_normal()), folder_(std::move(folder)) {
+    if (!sweep_.has_filename()) sweep_ = sweep_.parent_path();
+  }
+
+  void write(const FindConfig& find_config) {
+    const auto rows = must(readRunRows({sweep_}));
+    if (rows.empty()) must(Status::invalidInput(sweep_.string() + ": no run is done"));
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) must(Status::failed(folder_.string() + ": " + error.message()));
+    if (!fs::is_empty(folder_, error)) must(Status::failed(folder_.string() + ": is not empty"));
+    add("results.csv", csvOf(tableOf(rows)));
+    std::array<std::string, 2> runs;  // front ends first
+    for (const PlannedRun& run : frozenRuns(sweep_).planned) {
+      if (outcomeOf(sweep_ / run.folder).state != PointState::Done) continue;
+      addRun(run);
+      runs.at(run.is_front_end ? 0 : 1) += run.folder + "\n";
+    }
+    std::string names;
+    for (const auto& [path, name] : variables_) names += name + " ";
+    add("rerun.sh",
+        filled(find_config, "rerun.sh", {{"VARIABLES", names}, {"RUNS", runs[0] + runs[1]}}));
+    add("data.txt", data_);
+  }
+
+ private:
+  void add(const fs::path& name, const std::string& text) {
+    std::error_code ignored;
+    fs::create_directories((folder_ / name).parent_path(), ignored);
+    must(record::writeAtomically(folder_ / name, text));
+  }
+
+  void addRun(const PlannedRun& run) {
+    const fs::path from = sweep_ / run.folder;
+    const fs::path to = fs::path("runs") / run.folder;
+    std::string config = textOf(from / "config.yaml");
+    // The front end that it replays is run again as well.
+    if (!run.front_end_folder.empty()) {
+      replacePath(config, (sweep_ / run.front_end_folder / "run").string(),
+                  "${AGAIN}/" + run.front_end_folder);
+    }
+    for (const record::DataDigest& data : run.inputs.data) {
+      replacePath(config, data.path, "${" + variable(data) + ":-" + data.path + "}");
+    }
+    add(to / "config.resolved.yaml", config);
+    add(to / "point.json", textOf(from / "point.json"));
+    for (const char* name : {"run.json", "metrics.json", "results.sha256"}) {
+      add(to / name, textOf(from / "run" / name));
+    }
+  }
+
+  const std::string& variable(const record::DataDigest& data) {
+    const auto [found, is_new] = variables_.try_emplace(data.path);
+    if (is_new) {
+      found->second = fmt::format("DATA_{}", variables_.size());
+      data_ += fmt::format("{}\t{}\t{}\n", found->second, data.path,
+                           data.sha256.empty() ? data.stamp : data.sha256);
+    }
+    return found->second;
+  }
+
+  fs::path sweep_;
+  fs::path folder_;
+  std::map<std::string, std::string> variables_;  ///< by path
+  std::string data_;
+};
+
+}  // namespace
+
+Status writeSweepArchive(const fs::path& sweep, const fs::path& folder,
+                         const FindConfig& find_config) {
+  return resultOf([&] {
+           Archive(sweep, folder).write(find_config);
+           return true;
+         })
+      .status();
 }
 
 }  // namespace tolman::experiment

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <set>
 
+#include "base/must.hpp"
 #include "config/text.hpp"
 #include "experiment/comparison.hpp"
 
@@ -19,7 +19,11 @@ struct CellPart {
   std::string format{};  ///< "{:.2f}"
 };
 
-Result<std::vector<CellPart>> partsOf(const std::string& cell) {
+[[noreturn]] void refuseCell(const std::string& what, const std::string& why) {
+  throw Refused{Status::invalidParameter("'" + what + "': " + why)};
+}
+
+std::vector<CellPart> partsOf(const std::string& cell) {
   std::vector<CellPart> parts(1);
   for (std::size_t i = 0; i < cell.size(); ++i) {
     if (cell[i] != '{') {
@@ -27,7 +31,7 @@ Result<std::vector<CellPart>> partsOf(const std::string& cell) {
       continue;
     }
     const auto end = cell.find('}', i);
-    if (end == std::string::npos) return Status::invalidParameter("'" + cell + "': '}' is missing");
+    if (end == std::string::npos) refuseCell(cell, "'}' is missing");
     const std::string field = cell.substr(i + 1, end - i - 1);
     const auto colon = std::min(field.find(':'), field.size());
     parts.back().metric = field.substr(0, colon);
@@ -39,7 +43,7 @@ Result<std::vector<CellPart>> partsOf(const std::string& cell) {
 }
 
 /// The text of a cell, with means over its runs; a dash for a metric that one of them lacks.
-Result<std::string> filled(const std::vector<CellPart>& parts, const RunPointers& runs) {
+std::string filled(const std::vector<CellPart>& parts, const RunPointers& runs) {
   std::string text;
   for (const CellPart& part : parts) {
     text += part.text;
@@ -56,7 +60,7 @@ Result<std::string> filled(const std::vector<CellPart>& parts, const RunPointers
                   ? fmt::format(fmt::runtime(part.format), sum / static_cast<double>(runs.size()))
                   : "-";
     } catch (const fmt::format_error& error) {
-      return Status::invalidParameter("'" + part.format + "': " + error.what());
+      refuseCell(part.format, error.what());
     }
   }
   return text;
@@ -65,21 +69,14 @@ Result<std::string> filled(const std::vector<CellPart>& parts, const RunPointers
 class Pivot {
  public:
   Pivot(const std::vector<RunRow>& rows, const PivotOptions& options)
-      : rows_of_runs_(rows), options_(options) {}
+      : runs_(rows), options_(options) {}
 
-  Result<Table> table() {
-    const Result<Names> by = fullFactors(rows_of_runs_, options_.by);
-    const Result<Names> over = fullFactors(rows_of_runs_, options_.over);
-    const Result<Names> columns =
-        fullFactors(rows_of_runs_, options_.values.empty() ? Names{options_.columns} : Names());
-    for (const Result<Names>* names : {&by, &over, &columns}) {
-      if (!names->isOk()) return names->status();
-    }
-    by_ = by.value();
-    averaged_ = over.value();
+  Table table() {
+    by_ = fullFactors(runs_, options_.by);
+    averaged_ = fullFactors(runs_, options_.over);
     averaged_.emplace_back("seed");
-    if (!columns.value().empty()) across_ = columns.value().front();
-    for (const std::string& name : factorNames(rows_of_runs_)) {
+    if (options_.values.empty()) across_ = fullFactors(runs_, {options_.columns}).front();
+    for (const std::string& name : factorNames(runs_)) {
       if (options_.by.empty() && !isAveraged(name) && name != across_) by_.push_back(name);
     }
     fill();
@@ -89,11 +86,7 @@ class Pivot {
     for (const std::string& level : levels_) rows_.push_back({level, level, ""});
     for (const Row& row : rows_) {
       std::vector<std::string>& cells = table.rows.emplace_back(1, row.label);
-      for (const Column& column : columns_) {
-        const Result<std::string> cell = cellOf(row, column);
-        if (!cell.isOk()) return cell.status();
-        cells.push_back(cell.value());
-      }
+      for (const Column& column : columns_) cells.push_back(cellOf(row, column));
     }
     std::set<std::size_t> sizes;
     for (const auto& [place, runs] : cells_) sizes.insert(runs.size());
@@ -124,7 +117,7 @@ class Pivot {
   /// Levels and columns are in the order of their first occurrence.
   void fill() {
     for (const auto& [heading, cell] : options_.values) columns_.push_back({heading, "", cell});
-    for (const RunRow& run : rows_of_runs_) {
+    for (const RunRow& run : runs_) {
       const std::string level = levelName(run, by_);
       const std::string label = run.label(across_);
       if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);
@@ -135,44 +128,40 @@ class Pivot {
   }
 
   /// Empty if there are no such runs.
-  Result<std::string> cellOf(const Row& row, const Column& column) const {
+  std::string cellOf(const Row& row, const Column& column) const {
     const auto parts = partsOf(row.cell.empty() ? column.cell : row.cell);
-    if (!parts.isOk()) return parts.status();
     Names metrics;
-    for (const CellPart& part : parts.value()) {
+    for (const CellPart& part : parts) {
       if (part.metric.empty()) continue;
       metrics.push_back(part.metric);
-      const bool is_known = std::ranges::any_of(
-          rows_of_runs_, [&](const RunRow& run) { return run.metrics.contains(part.metric); });
-      if (!is_known) {
-        return Status::invalidParameter("no run has the metric '" + part.metric + "'");
+      const auto has = [&](const RunRow& run) { return run.metrics.contains(part.metric); };
+      if (std::ranges::none_of(runs_, has)) {
+        must(Status::invalidParameter("no run has the metric '" + part.metric + "'"));
       }
     }
     const auto runs = cells_.find({row.level, column.label});
-    if (runs == cells_.end()) return std::string();
-    Status status = oneKind(runs->second);
-    if (status.isOk()) status = refuseMixtures(runs->second, metrics, options_.mixed_coverage);
-    if (!status.isOk()) return status;
-    return filled(parts.value(), runs->second);
+    if (runs == cells_.end()) return "";
+    refuseOtherKinds(runs->second);
+    refuseMixtures(runs->second, metrics, options_.mixed_coverage);
+    return filled(parts, runs->second);
   }
 
-  /// Ok if the runs of a cell differ only in factors over which it is a mean.
-  Status oneKind(const RunPointers& runs) const {
+  /// The runs of a cell may differ only in factors over which it is a mean.
+  void refuseOtherKinds(const RunPointers& runs) const {
     const RunRow& first = *runs.front();
     for (const RunRow* run : runs) {
       for (const RunRow* with : {run, &first}) {  // either may have factors that the other lacks
         for (const auto& [name, label] : with->factors) {
           if (isAveraged(name) || run->label(name) == first.label(name)) continue;
-          return Status::invalidInput("'" + first.name + "' and '" + run->name +
-                                      "' would be one cell; name '" + name +
-                                      "' with --by, --only or --over");
+          must(Status::invalidInput("'" + first.name + "' and '" + run->name +
+                                    "' would be one cell; name '" + name +
+                                    "' with --by, --only or --over"));
         }
       }
     }
-    return Status::ok();
   }
 
-  const std::vector<RunRow>& rows_of_runs_;
+  const std::vector<RunRow>& runs_;
   const PivotOptions& options_;
   Names by_;
   Names averaged_;
@@ -186,16 +175,14 @@ class Pivot {
 }  // namespace
 
 Result<Table> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& options) {
-  Result<std::vector<RunRow>> wanted = selectRuns(rows, options.only);
-  if (!wanted.isOk()) return wanted.status();
-  const Result<std::string> repeated = mergeRepeats(wanted.value());
-  if (!repeated.isOk()) return repeated.status();
-  Result<Table> table = Pivot(wanted.value(), options).table();
-  if (!table.isOk()) return table;
-  std::vector<std::string>& notes = table.value().notes;
-  std::ranges::move(trackingNotes(wanted.value()), std::back_inserter(notes));
-  if (!repeated.value().empty()) notes.push_back(repeated.value());
-  return table;
+  return resultOf([&] {
+    std::vector<RunRow> wanted = selectRuns(rows, options.only);
+    const std::string repeated = mergeRepeats(wanted);
+    Table table = Pivot(wanted, options).table();
+    std::ranges::move(trackingNotes(wanted), std::back_inserter(table.notes));
+    if (!repeated.empty()) table.notes.push_back(repeated);
+    return table;
+  });
 }
 
 }  // namespace tolman::experiment

@@ -10,7 +10,7 @@
 #include "base/bounded_json.hpp"
 #include "base/text_file.hpp"
 #include "config/values.hpp"
-#include "experiment/bench_places.hpp"
+#include "experiment/bench.hpp"
 #include "experiment/figures.hpp"
 
 namespace tolman::experiment {
@@ -182,8 +182,8 @@ std::string placeCurvesFigure(const std::vector<PlaceCurve>& curves) {
     }
     lines.push_back(std::move(line));
   }
-  return curveFigure({"Places recognised", "recall", "precision", {0, 1}, {0, 1.03}, {}},
-                     std::move(lines), {560, 420});
+  return report::curveFigure({"Places recognised", "recall", "precision", {0, 1}, {0, 1.03}, {}},
+                             std::move(lines), {560, 420});
 }
 
 }  // namespace tolman::experiment

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <optional>
 #include <sstream>
@@ -17,8 +16,7 @@ namespace {
 
 using config::Node;
 
-/// A configuration, as resolvedYaml() writes it, without the sections of cells, map, observers,
-/// evaluation and record.
+/// A resolved configuration without cells, map, observers, evaluation and record.
 std::string frontEndPart(const std::string& yaml) {
   constexpr std::array<std::string_view, 5> kLater = {
       "cells:", "map:", "evaluation:", "record:", "observers:"};
@@ -122,8 +120,7 @@ class Planner {
     return loaded;
   }
 
-  /// Applies `*.plugin` and whole sections before single keys, because naming another plugin
-  /// discards the parameters set so far.
+  /// Plugins and whole sections first: naming another plugin discards the parameters set so far.
   void apply(Node& tree, std::vector<Setting> settings) {
     // Not of std::ranges: clang 14, and so clang-tidy, cannot compile its result.
     std::stable_partition(settings.begin(), settings.end(), [](const Setting& setting) {
@@ -150,8 +147,7 @@ class Planner {
     return made;
   }
 
-  /// The base configuration with the settings that all points share, and with the replay of a front
-  /// end or the map of a first session.
+  /// The base with the settings of all points, and the replay or the map of the front end.
   const config::Loaded& base(const SweepFile& sweep, const SweepPoint& point,
                              const PriorRun* front) {
     const auto found = bases_.find(point.front_end.get());

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/bounded_json.hpp"
+#include "base/must.hpp"
 #include "base/text_encoding.hpp"
 #include "config/loader.hpp"
 #include "config/tree.hpp"
@@ -15,8 +15,8 @@
 #include "engine/results.hpp"
 #include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
-#include "record/digest.hpp"
 #include "record/atomic_file.hpp"
+#include "record/digest.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::experiment {
@@ -34,44 +34,44 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, do
   }
 }
 
-/// Whether a comparison needs a metric to refuse runs whose errors must not be averaged: coverage,
-/// exit code, and the lengths of segments.
+/// Whether a comparison needs a metric to refuse runs that must not be averaged.
 bool isNeeded(const std::string& metric) {
   return metric == "map.coverage" || metric == "exit_code" ||
          metric.find(".kitti.lengths_m.") != std::string::npos;
 }
 
-Status noMetrics(const fs::path& directory) {
-  std::error_code ignored;
-  if (!fs::exists(directory, ignored)) {
-    return Status::invalidInput(directory.string() + ": " +
-                                config::absence(directory, "does not exist; check the path"));
-  }
-  const bool is_sweep = fs::exists(directory / "points.txt", ignored);
-  const fs::path file = is_sweep ? directory : directory / "metrics.json";
-  return Status::invalidInput(
-      file.string() + ": " +
-      (is_sweep ? "is a sweep of which no run has ended, so there is nothing to compare; run it "
-                  "again"
-                : config::absence(
-                      file, "is missing or damaged; is this a run that has ended, or a sweep?")));
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw Refused{Status::invalidInput(file.string() + ": " + why)};
 }
 
-Result<RunRow> readRun(const fs::path& directory) {
+[[noreturn]] void refuseWithoutMetrics(const fs::path& directory) {
+  std::error_code ignored;
+  if (!fs::exists(directory, ignored)) {
+    refuse(directory, config::absence(directory, "does not exist; check the path"));
+  }
+  if (fs::exists(directory / "points.txt", ignored)) {
+    refuse(directory,
+           "is a sweep of which no run has ended, so there is nothing to compare; run it again");
+  }
+  const fs::path file = directory / "metrics.json";
+  refuse(file,
+         config::absence(file, "is missing or damaged; is this a run that has ended, or a sweep?"));
+}
+
+RunRow readRun(const fs::path& directory) {
   std::ifstream stream(directory / "metrics.json", std::ios::binary);
   const Json metrics = bounded_json::parse<Json>(stream);
-  if (!metrics.is_object()) return noMetrics(directory);
+  if (!metrics.is_object()) refuseWithoutMetrics(directory);
   RunRow row;
   row.directory = directory;
   flatten(metrics, "", row.metrics);
   const Json run = record::RunDirectory::readRunFile(directory);
   std::error_code ignored;
-  if (!run.is_object() && fs::exists(directory / "run.json", ignored)) {
-    return record::RunDirectory::checkRunFile(directory);
-  }
   if (run.is_object()) {
     flatten(run.value("finish_s", Json()), "finish_s", row.metrics);
     flatten(run.value("exit_code", Json()), "exit_code", row.metrics);
+  } else if (fs::exists(directory / "run.json", ignored)) {
+    must(record::RunDirectory::checkRunFile(directory));
   }
   row.alignment = metrics.value("alignment", "");
   const Json truth = metrics.value("truth_sha256", Json());
@@ -103,31 +103,28 @@ void addConfigFactors(std::vector<RunRow*>& rows) {
 }
 
 /// Reads a table of tableOf(), with the factors between the columns name and alignment.
-Result<std::vector<RunRow>> readCsv(const fs::path& file) {
-  const Result<std::string> text = text_encoding::readText(file);
-  if (!text.isOk()) return text.status();
-  const auto lines = csvRows(text.value());
+std::vector<RunRow> readCsv(const fs::path& file) {
+  const auto lines = csvRows(must(text_encoding::readText(file)));
   const auto bad = [&](const std::string& why) {
-    return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`: " + why);
+    refuse(file, "is no table of `tolman sweep collect`: " + why);
   };
-  if (lines.empty()) return bad("it is empty");
+  if (lines.empty()) bad("it is empty");
   const std::vector<std::string>& names = lines.front();
   const auto factors =
       static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
   if (factors < 1 || factors + 3 > names.size()) {
-    return bad("its first line has no alignment, truth and results after the factors");
+    bad("its first line has no alignment, truth and results after the factors");
   }
-  if (lines.size() == 1) return bad("it has no line after the first");
+  if (lines.size() == 1) bad("it has no line after the first");
   std::vector<RunRow> rows;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string>& fields = lines[i];
     if (fields.size() != names.size()) {
-      return bad(
-          fmt::format("line {} has {} fields, the first {}", i + 1, fields.size(), names.size()));
+      bad(fmt::format("line {} has {} fields, the first {}", i + 1, fields.size(), names.size()));
     }
     RunRow& row = rows.emplace_back();
-    row.directory = file;
     row.name = fields[0];
+    row.directory = file;
     for (std::size_t k = 1; k < factors; ++k) row.factors.push_back({names[k], fields[k]});
     row.alignment = fields[factors];
     row.truth = fields[factors + 1];
@@ -136,7 +133,7 @@ Result<std::vector<RunRow>> readCsv(const fs::path& file) {
       if (fields[k].empty()) continue;
       const auto number = config::readReal(fields[k]);
       if (!number.isOk()) {
-        return bad(fmt::format("line {}, {}: '{}' is no number", i + 1, names[k], fields[k]));
+        bad(fmt::format("line {}, {}: '{}' is no number", i + 1, names[k], fields[k]));
       }
       row.metrics[names[k]] = number.value();
     }
@@ -144,28 +141,21 @@ Result<std::vector<RunRow>> readCsv(const fs::path& file) {
   return rows;
 }
 
-/// The runs of its last plan that are done, without front ends.
-Result<std::vector<RunRow>> readSweep(const fs::path& folder) {
-  std::vector<RunRow> rows;
-  for (const PlannedRun& point : frozenRuns(folder).planned) {
-    if (point.is_front_end) continue;
-    const PointOutcome outcome = outcomeOf(folder / point.folder);
-    if (outcome.state != PointState::Done) continue;
-    auto row = readRun(folder / point.folder / "run");
-    if (!row.isOk()) return row.status();
-    row.value().name = point.name;
-    row.value().factors = point.factors;
-    row.value().metrics["exit_code"] = outcome.exit_code;
-    rows.push_back(std::move(row).value());
-  }
-  return rows;
-}
-
-/// Reads a CSV table, a sweep, or the folder of a sweep's archive.
-Result<std::vector<RunRow>> readTable(const fs::path& path) {
+/// Of a CSV table, an archive, or a sweep: runs of its last plan that are done.
+std::vector<RunRow> readTable(const fs::path& path) {
   if (path.extension() == ".csv") return readCsv(path);
   const bool is_archive = fs::exists(path / "rerun.sh") && fs::exists(path / "results.csv");
-  return is_archive ? readCsv(path / "results.csv") : readSweep(path);
+  if (is_archive) return readCsv(path / "results.csv");
+  std::vector<RunRow> rows;
+  for (const PlannedRun& point : frozenRuns(path).planned) {
+    const PointOutcome outcome = outcomeOf(path / point.folder);
+    if (point.is_front_end || outcome.state != PointState::Done) continue;
+    RunRow& row = rows.emplace_back(readRun(path / point.folder / "run"));
+    row.name = point.name;
+    row.factors = point.factors;
+    row.metrics["exit_code"] = outcome.exit_code;
+  }
+  return rows;
 }
 
 }  // namespace
@@ -224,34 +214,33 @@ std::vector<std::string> factorNames(const std::vector<RunRow>& rows) {
 }
 
 Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
-  std::vector<RunRow> rows;
-  std::vector<std::size_t> alone;
-  std::set<fs::path> read;
-  for (const fs::path& folder : folders) {
-    if (!read.insert(record::truePath(folder)).second) continue;
-    auto own = readTable(folder);
-    if (!own.isOk()) return own.status();
-    if (own.value().empty() && frozenRuns(folder).empty()) {
-      auto row = readRun(folder);
-      if (!row.isOk()) return row.status();
-      alone.push_back(rows.size());
-      rows.push_back(std::move(row).value());
+  return resultOf([&] {
+    std::vector<RunRow> rows;
+    std::vector<std::size_t> alone;
+    std::set<fs::path> read;
+    for (const fs::path& folder : folders) {
+      if (!read.insert(record::truePath(folder)).second) continue;
+      std::vector<RunRow> own = readTable(folder);
+      if (own.empty() && frozenRuns(folder).empty()) {
+        alone.push_back(rows.size());
+        rows.push_back(readRun(folder));
+      }
+      std::ranges::move(own, std::back_inserter(rows));
     }
-    std::ranges::move(own.value(), std::back_inserter(rows));
-  }
-  std::vector<RunRow*> others;
-  std::vector<fs::path> paths;
-  for (const std::size_t i : alone) {
-    others.push_back(&rows[i]);
-    paths.push_back(rows[i].directory);
-  }
-  const auto names = engine::distinctNames(paths);
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    others[i]->name = names[i];
-    others[i]->is_alone = true;
-  }
-  addConfigFactors(others);
-  return rows;
+    std::vector<RunRow*> others;
+    std::vector<fs::path> paths;
+    for (const std::size_t i : alone) {
+      others.push_back(&rows[i]);
+      paths.push_back(rows[i].directory);
+    }
+    const auto names = engine::distinctNames(paths);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      others[i]->name = names[i];
+      others[i]->is_alone = true;
+    }
+    addConfigFactors(others);
+    return rows;
+  });
 }
 
 Table tableOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted) {

@@ -8,7 +8,6 @@
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "base/text_file.hpp"
@@ -43,8 +42,7 @@ using NodePointer = std::shared_ptr<const Node>;
 /// Columns beside the factors in the table of csvOf() (comparison.hpp).
 constexpr std::array kTableColumns = {"name", "alignment", "truth_sha256", "results_sha256"};
 
-/// The label of a value: a scalar, the plugin of a stage, the values of a map, or a list in
-/// brackets.
+/// A scalar, the plugin of a stage, the values of a map, or a list in brackets.
 std::string labelOf(const Node& value) {
   if (value.isScalar()) return value.text;
   if (const Node* plugin = value.find("plugin"); plugin != nullptr && value.children.size() == 1) {
@@ -371,8 +369,7 @@ std::map<std::string, config::Origin> keysOf(const Axis& axis) {
   return keys;
 }
 
-/// Refuses axes of the same runs that set the same key: the later one would override the other,
-/// whose label would then be wrong.
+/// Refuses axes that set the same key: the later one would win, and the other's label be wrong.
 void refuseOverlaps(const SweepFile& sweep, config::Problems& problems) {
   const auto refuse = [&](const Axis& a, const Axis& b) {
     const auto others = keysOf(a);

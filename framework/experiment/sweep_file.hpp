@@ -78,8 +78,7 @@ struct SweepPoint {
 };
 
 /// The product of all axes without the excluded points, then the included points, each with all
-/// sequences and seeds. Problems are: exclusions that name no factor or exclude no point, and a
-/// factor or a key that two axes vary.
+/// sequences and seeds. Problems: exclusions without effect, and a key that two axes vary.
 std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& problems);
 
 inline constexpr std::size_t kSobolDimensions = 10;

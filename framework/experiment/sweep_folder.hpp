@@ -148,10 +148,6 @@ struct LocalJobsOptions {
 JobsState runLocally(const std::filesystem::path& sweep, const std::vector<PlannedRun>& runs,
                      const LocalJobsOptions& options, const Cancellation& cancellation);
 
-/// A file with each @NAME@ replaced by its value.
-using Placeholders = std::map<std::string, std::string>;
-Result<std::string> filledTemplate(const std::filesystem::path& file, const Placeholders& values);
-
 /// Writes into the folder of the sweep, from configs/jobs, by `kind`:
 ///   slurm      runs-1.txt and runs-2.txt, one folder per line; array.sh, which runs one of them;
 ///              submit.sh, which submits an array of each list, the second after the first

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace tolman::report {
@@ -143,9 +142,7 @@ void Axes::legend(const std::vector<LegendEntry>& entries) {
   }
 }
 
-double Axes::legendHeight(const std::vector<LegendEntry>& entries, double width) {
-  return entries.empty() ? 8 : 22 + legendPlaces(entries, width).back().y();
-}
+namespace {
 
 std::vector<Axes::LegendEntry> legendOf(const std::vector<Curve>& curves) {
   std::vector<Axes::LegendEntry> entries;
@@ -154,6 +151,8 @@ std::vector<Axes::LegendEntry> legendOf(const std::vector<Curve>& curves) {
   }
   return entries;
 }
+
+}  // namespace
 
 Axes plot(Svg& svg, AxesPlan plan, const std::vector<Curve>& curves) {
   const bool is_free = plan.y.length() < 0;
@@ -187,6 +186,19 @@ Axes plot(Svg& svg, AxesPlan plan, const std::vector<Curve>& curves) {
   }
   axes.legend(legendOf(curves));
   return axes;
+}
+
+std::string curveFigure(AxesPlan plan, const std::vector<Curve>& curves,
+                        const Eigen::Vector2d& size) {
+  constexpr double kLeft = 64, kRight = 12, kFoot = 44;
+  std::vector<Curve> named = curves;
+  if (named.size() == 1 && plan.title.empty()) named[0].name.clear();
+  const auto places = legendPlaces(legendOf(named), size.x() - kRight - kLeft);
+  const double top = (plan.title.empty() ? 0 : 30) + (places.empty() ? 8 : 22 + places.back().y());
+  plan.place = frame(kLeft, top, size.x() - kRight, size.y() - kFoot);
+  Svg svg(size.x(), size.y());
+  plot(svg, std::move(plan), named);
+  return svg.take();
 }
 
 }  // namespace tolman::report

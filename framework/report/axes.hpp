@@ -58,8 +58,6 @@ class Axes {
   };
   /// Draws a legend above the box, from the left, in as many lines as it needs.
   void legend(const std::vector<LegendEntry>& entries);
-  /// Height of such a legend above a box of this width, px.
-  static double legendHeight(const std::vector<LegendEntry>& entries, double width);
 
  private:
   struct Side;
@@ -85,6 +83,9 @@ struct Curve {
 /// Draws curves in axes whose ranges are extended to all values; a range of y that was none() gets
 /// a margin, and begins at 0 where that is near. A legend where the curves have names.
 Axes plot(Svg& svg, AxesPlan plan, const std::vector<Curve>& curves);
-std::vector<Axes::LegendEntry> legendOf(const std::vector<Curve>& curves);
+
+/// The whole picture: curves in axes whose place is chosen, with their legend above. `size` in px.
+std::string curveFigure(AxesPlan plan, const std::vector<Curve>& curves,
+                        const Eigen::Vector2d& size);
 
 }  // namespace tolman::report

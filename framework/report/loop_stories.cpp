@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/loop_stories.hpp"
-
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 
-#include "report/raster.hpp"
+#include "base/must.hpp"
+#include "report/run_data.hpp"
 #include "report/svg.hpp"
 
 namespace tolman::report {
@@ -316,20 +313,14 @@ Json LoopStory::json() const {
   return json;
 }
 
-Result<LoopRecord> readLoops(const record::RunReader& reader, const evaluation::Trajectory& truth,
-                             double storey_height) {
-  const auto places = reader.records<PlaceObservation>();
-  if (!places.isOk()) return places.status();
-  const auto decisions = reader.records<Decision>();
-  if (!decisions.isOk()) return decisions.status();
-  const auto scale = reader.scaleKnown();
-  if (!scale.isOk()) return scale.status();
-  for (const Status& status : {reader.graph().status(), reader.odometry().status()}) {
-    if (!status.isOk()) return status;
-  }
-  LoopRecord record{places.value(),         decisions.value(),         {},
-                    reader.graph().value(), reader.odometry().value(), scale.value()};
-  record.loops = evaluation::judgeLoops(record.graph, record.places, truth, storey_height);
+LoopRecord readLoops(const record::RunReader& reader, const evaluation::Trajectory& truth,
+                     double storey_height) {
+  LoopRecord record{must(reader.records<PlaceObservation>()),
+                    must(reader.records<Decision>()),
+                    {},
+                    must(reader.odometry()),
+                    must(reader.scaleKnown())};
+  record.loops = evaluation::judgeLoops(must(reader.graph()), record.places, truth, storey_height);
   return record;
 }
 

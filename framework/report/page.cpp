@@ -4,18 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <optional>
 
 #include "record/run_directory.hpp"
 #include "report/figures.hpp"
-#include "report/map_picture.hpp"
 #include "report/svg.hpp"
-#include "report/units.hpp"
 
 namespace tolman::report {
 namespace {
@@ -47,8 +42,7 @@ pre { overflow: auto; padding: .8rem; border: 1px solid var(--line); border-radi
 .wide { overflow-x: auto; }
 )";
 
-/// The style of the page, with other colours of the figures for dark mode. Figures are drawn for
-/// white paper, because they are also files.
+/// With other colours in dark mode: figures are drawn for white paper, because they are also files.
 std::string style() {
   std::string dark = ":root { --soft: #9aa0a8; }\nfigure svg text { fill: #d8dade; }\n";
   const auto replace = [&](const char* light, const char* colour) {
@@ -70,58 +64,35 @@ std::string textOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void addFigure(RunPage& page, const char* file, std::string caption, std::string svg) {
-  if (!svg.empty()) page.figures.push_back({file, std::move(caption), std::move(svg)});
-}
-
-/// Adds the firing of single units, as pictures and as numbers.
-Status addNeurons(RunPage& page, const UnitChoice& choice) {
-  const auto units = drawnUnits(page.data, choice);
-  if (!units.isOk()) {
-    return {units.status().code(), page.directory + ": " + units.status().message()};
-  }
-  addFigure(page, "firing", "Firing rate of single units along the path.",
-            firingFigure(units.value()));
-  addFigure(
-      page, "units",
-      "All units: tuning curves, each relative to its peak, with the mean vector in red; rate "
-      "maps of grid units at their places in the module.",
-      unitsFigure(page.data));
-  page.neurons = neuronsJson(page.data, units.value());
-  return Status::ok();
-}
-
-Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoice& units) {
-  const RunData& data = page.data;
-  addFigure(page, "map", "Experience map over odometry and truth, seen from above.",
-            mapFigure({pictureOf(data, data.name)}));
-  addFigure(page, "error", "Distance to the truth at each frame.", errorFigure(data));
-  addFigure(page, "steps",
-            "Lengths and turns of short stretches against the true ones: jumps, standstills and "
-            "changes of units stand out.",
-            stepFigure(data));
-  addFigure(page, "elevation",
-            "Height over the first camera, against its own vertical axis, along the path.",
-            elevationFigure(data));
-  const auto places = reader.records<PlaceObservation>();
-  if (!places.isOk()) return places.status();
-  addFigure(page, "templates",
-            "New local view templates along the upper bound; familiar ones below it are places "
-            "seen again.",
-            templateFigure(places.value()));
-  const auto decisions = reader.records<Decision>();
-  if (!decisions.isOk()) return decisions.status();
-  addFigure(
-      page, "activity",
-      "State of the attractor networks at four moments; the red line is the estimated heading.",
-      activityFigure(data.cells, decisions.value()));
-  addFigure(page, "arrays", "Other arrays of the cells over time; at most 40 are drawn.",
-            arrayFigure(data.cells.others));
-  const Status neurons = addNeurons(page, units);
-  if (!neurons.isOk()) return neurons;
-  addFigure(page, "timing", "Time that each stage took for a frame, ms.",
-            timingFigure(data.metrics));
-  return Status::ok();
+/// All figures for which the run has data.
+std::vector<PageFigure> figuresOf(const RunData& data, const std::vector<DrawnUnit>& units) {
+  std::vector<PageFigure> figures = {
+      {"map", "Experience map over odometry and truth, seen from above.",
+       mapFigure({pictureOf(data, data.name)})},
+      {"error", "Distance to the truth at each frame.", errorFigure(data)},
+      {"steps",
+       "Lengths and turns of short stretches against the true ones: jumps, standstills and "
+       "changes of units stand out.",
+       stepFigure(data)},
+      {"elevation", "Height over the first camera, against its own vertical axis, along the path.",
+       elevationFigure(data)},
+      {"templates",
+       "New local view templates along the upper bound; familiar ones below it are places seen "
+       "again.",
+       templateFigure(data.record.places)},
+      {"activity",
+       "State of the attractor networks at four moments; the red line is the estimated heading.",
+       activityFigure(data.cells, data.record.decisions)},
+      {"arrays", "Other arrays of the cells over time; at most 40 are drawn.",
+       arrayFigure(data.cells.others)},
+      {"firing", "Firing rate of single units along the path.", firingFigure(units)},
+      {"units",
+       "All units: tuning curves, each relative to its peak, with the mean vector in red; rate "
+       "maps of grid units at their places in the module.",
+       unitsFigure(data)},
+      {"timing", "Time that each stage took for a frame, ms.", timingFigure(data.metrics)}};
+  std::erase_if(figures, [](const PageFigure& figure) { return figure.svg.empty(); });
+  return figures;
 }
 
 /// A figure as wide as the page. On a page narrower than the figure it is scrolled, not shrunk.
@@ -136,16 +107,18 @@ std::string figureText(std::string_view id, const std::string& svg, std::string_
 
 constexpr const char* kNone = "–";
 
-std::optional<double> rmseOf(const evaluation::Statistics& errors) {
-  return errors.count > 0 ? std::optional(errors.rmse) : std::nullopt;
+/// A row of a table. `first`: tag of its first cell, `rest`: of the others.
+std::string rowOf(const std::vector<std::string>& cells, const char* first = "td",
+                  const char* rest = "td", const std::string& title = "") {
+  std::string text = title.empty() ? "<tr>" : "<tr title=\"" + escaped(title) + "\">";
+  for (const std::string& cell : cells) {
+    const char* tag = &cell == &cells.front() ? first : rest;
+    text += fmt::format("<{0}>{1}</{0}>", tag, escaped(cell));
+  }
+  return text + "</tr>\n";
 }
 
-std::optional<double> drift(const evaluation::Scores& scores, double value) {
-  return scores.kitti.segments > 0 ? std::optional(value) : std::nullopt;
-}
-
-/// A figure of the errors: its heading, and its text for a trajectory; a dash where it is not
-/// known.
+/// A figure of the errors; a dash where it is not known.
 struct ErrorColumn {
   const char* heading;
   std::optional<double> (*value)(const evaluation::Scores&);
@@ -158,86 +131,74 @@ struct ErrorColumn {
 };
 
 using evaluation::Scores;
+using Number = std::optional<double>;
 constexpr std::array<ErrorColumn, 9> kErrorColumns = {{
-    {"<th>ATE rmse m</th>", [](const Scores& s) { return std::optional(s.ate_m.rmse); }},
-    {"<th>mean</th>", [](const Scores& s) { return std::optional(s.ate_m.mean); }},
-    {"<th>median</th>", [](const Scores& s) { return std::optional(s.ate_m.median); }},
-    {"<th>max</th>", [](const Scores& s) { return std::optional(s.ate_m.max); }},
-    {"<th>horizontal rmse m</th>", [](const Scores& s) { return rmseOf(s.horizontal_m); }},
-    {"<th>vertical rmse m</th>", [](const Scores& s) { return rmseOf(s.vertical_m); }},
-    {"<th title=\"KITTI drift: mean translation error of sub-paths\">t_rel %</th>",
-     [](const Scores& s) { return drift(s, s.kitti.t_rel_percent); }},
-    {"<th title=\"KITTI drift: mean rotation error of sub-paths\">r_rel °/100 m</th>",
-     [](const Scores& s) { return drift(s, s.kitti.r_rel_deg_per_100m); }},
-    {"<th title=\"share of the true poses that have a tracked estimate\">coverage %</th>",
-     [](const Scores& s) { return std::optional(100 * s.coverage); }, 1},
+    {"ATE rmse m", [](const Scores& s) { return Number(s.ate_m.rmse); }},
+    {"mean", [](const Scores& s) { return Number(s.ate_m.mean); }},
+    {"median", [](const Scores& s) { return Number(s.ate_m.median); }},
+    {"max", [](const Scores& s) { return Number(s.ate_m.max); }},
+    {"horizontal rmse m",
+     [](const Scores& s) {
+       return s.horizontal_m.count > 0 ? Number(s.horizontal_m.rmse) : Number();
+     }},
+    {"vertical rmse m",
+     [](const Scores& s) { return s.vertical_m.count > 0 ? Number(s.vertical_m.rmse) : Number(); }},
+    {"t_rel %",
+     [](const Scores& s) {
+       return s.kitti.segments > 0 ? Number(s.kitti.t_rel_percent) : Number();
+     }},
+    {"r_rel °/100 m",
+     [](const Scores& s) {
+       return s.kitti.segments > 0 ? Number(s.kitti.r_rel_deg_per_100m) : Number();
+     }},
+    {"coverage %", [](const Scores& s) { return Number(100 * s.coverage); }, 1},
 }};
 
-std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
-  std::string row = fmt::format("<tr><td>{}</td><td>{:.1f}{}</td>", name, m.path_length_m,
-                                m.in_metres ? "" : " units");
-  for (const ErrorColumn& column : kErrorColumns) row += "<td>" + column.text(m) + "</td>";
-  return row + "</tr>\n";
-}
-
-/// Warnings, and why the columns of horizontal and vertical error are empty.
-std::string errorNotes(const evaluation::Metrics& metrics) {
-  std::string warnings;
-  std::string open_turn;
-  for (const auto& [name, trajectory] :
+/// The errors; warnings, and why the columns of horizontal and vertical error are empty.
+std::string errorTable(const evaluation::Metrics& metrics) {
+  std::vector<std::string> heading = {
+      fmt::format("after {} alignment", evaluation::alignmentText(metrics)), "path m"};
+  for (const ErrorColumn& column : kErrorColumns) heading.emplace_back(column.heading);
+  std::string rows, warnings, open_turn;
+  for (const auto& [name, of] :
        {std::pair("odometry", &metrics.odometry), std::pair("map", &metrics.map)}) {
-    const auto& scores = trajectory->scores;
-    if (!trajectory->warning.empty()) {
-      warnings += fmt::format("<p><strong>Warning, {}:</strong> {}</p>\n", name,
-                              escaped(trajectory->warning));
+    std::vector<std::string> cells = {
+        name, fmt::format("{:.1f}{}", of->path_length_m, of->in_metres ? "" : " units")};
+    for (const ErrorColumn& column : kErrorColumns) cells.push_back(column.text(*of));
+    rows += rowOf(cells);
+    if (!of->warning.empty()) {
+      warnings +=
+          fmt::format("<p><strong>Warning, {}:</strong> {}</p>\n", name, escaped(of->warning));
     }
-    if (scores && !scores->no_horizontal.empty() && open_turn.empty()) {
-      open_turn = "<p>Horizontal and vertical error: " + escaped(scores->no_horizontal) + ".</p>\n";
+    if (of->scores && !of->scores->no_horizontal.empty() && open_turn.empty()) {
+      open_turn =
+          "<p>Horizontal and vertical error: " + escaped(of->scores->no_horizontal) + ".</p>\n";
     }
   }
-  return warnings + open_turn;
-}
-
-std::string errorTable(const evaluation::Metrics& metrics) {
-  std::string text =
-      fmt::format("<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th>",
-                  evaluation::alignmentText(metrics));
-  for (const ErrorColumn& column : kErrorColumns) text += column.heading;
-  return text + "</tr>\n" + errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) +
-         "</table></div>\n" + errorNotes(metrics);
+  return "<div class=\"wide\"><table>" + rowOf(heading, "th", "th") + rows + "</table></div>\n" +
+         warnings + open_turn;
 }
 
 /// Table of the sessions; empty for a single session whose map is connected.
 std::string sessionTable(const evaluation::Metrics& metrics) {
   if (metrics.sessions.size() < 2 && metrics.parts < 2) return "";
-  std::string text =
-      "<h2>Sessions</h2>\n<table><tr><th>session</th><th>name</th><th>first frame"
-      "</th><th>frames</th><th>experiences</th><th>parts of the map</th></tr>\n";
-  for (std::size_t i = 0; i < metrics.sessions.size(); ++i) {
-    const evaluation::SessionFigures& s = metrics.sessions[i];
-    text += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", i,
-        escaped(s.name), s.first_frame, s.frames, s.experiences, fmt::join(s.parts, ", "));
+  std::string rows = rowOf(
+      {"session", "name", "first frame", "frames", "experiences", "parts of the map"}, "th", "th");
+  for (const evaluation::SessionFigures& s : metrics.sessions) {
+    rows += rowOf({fmt::format("{}", &s - metrics.sessions.data()), s.name,
+                   fmt::format("{}", s.first_frame), fmt::format("{}", s.frames),
+                   fmt::format("{}", s.experiences), fmt::format("{}", fmt::join(s.parts, ", "))});
   }
-  text += "</table>\n";
   const std::string unjoined = evaluation::unjoinedText(metrics);
-  return text + "<p>" +
+  return "<h2>Sessions</h2>\n<table>" + rows + "</table>\n<p>" +
          (unjoined.empty() ? "All parts of the map are connected." : escaped(unjoined)) + "</p>\n";
 }
 
-/// Rows with the latency of a realtime run.
-std::string latencyRows(const Json& provenance) {
-  if (!provenance.is_object()) return "";
-  const auto latency = provenance.find("latency");
-  if (latency == provenance.end() || !latency->is_object()) return "";
-  const auto value = [&](const char* key) {
-    const auto found = latency->find(key);
-    return found != latency->end() && found->is_number() ? found->get<double>() : 0.0;
-  };
-  return fmt::format(
-      "<tr><td title=\"from the exposure of a frame to its pose in the map\">latency, median</td>"
-      "<td>{:.1f} ms</td></tr><tr><td>latency, 99 %</td><td>{:.1f} ms</td></tr>\n",
-      value("median_ms"), value("p99_ms"));
+/// What run.json holds at these keys; null where it is missing.
+Json at(const Json& provenance, const char* key, const char* inner = nullptr) {
+  const auto found = provenance.is_object() ? provenance.find(key) : provenance.end();
+  if (!provenance.is_object() || found == provenance.end()) return {};
+  return inner == nullptr ? *found : at(*found, inner);
 }
 
 /// The verdicts, and the list of loops and near misses.
@@ -252,13 +213,10 @@ std::string verdictList(const evaluation::Metrics& metrics) {
 std::string loopTable(const std::vector<LoopStory>& loops) {
   constexpr std::size_t kMost = 60;
   if (loops.empty()) return "";
-  std::string text = "<h2>Loops</h2>\n<div class=\"wide\"><table><tr>";
-  for (const std::string& heading : storyHeadings()) text += "<th>" + heading + "</th>";
-  text += "</tr>\n";
+  std::string text =
+      "<h2>Loops</h2>\n<div class=\"wide\"><table>" + rowOf(storyHeadings(), "th", "th");
   for (std::size_t i = 0; i < std::min(kMost, loops.size()); ++i) {
-    text += "<tr title=\"" + escaped(loops[i].text()) + "\">";
-    for (const std::string& cell : loops[i].cells()) text += "<td>" + escaped(cell) + "</td>";
-    text += "</tr>\n";
+    text += rowOf(loops[i].cells(), "td", "td", loops[i].text());
   }
   text += "</table></div>\n<p>";
   if (loops.size() > kMost) text += fmt::format("{} more. ", loops.size() - kMost);
@@ -284,35 +242,36 @@ std::string labelOf(const std::string& counter) {
 
 std::string healthTable(const Json& provenance, const evaluation::Metrics& metrics) {
   std::string rows;
-  const auto counters = provenance.find("counters");
-  if (provenance.is_object() && counters != provenance.end()) {
-    for (const auto& [key, value] : counters->items()) {
-      rows += fmt::format(
-          "<tr><td>{}</td><td>{}</td></tr>\n", escaped(labelOf(key)),
-          escaped(value.is_boolean() ? (value.get<bool>() ? "yes" : "no") : value.dump()));
-    }
-  } else {  // a killed run has no counters in run.json
-    rows =
-        fmt::format("<tr><td>frames</td><td>{}</td></tr><tr><td>loop links</td><td>{}</td></tr>\n",
-                    metrics.frames, metrics.counts.loop_links);
+  const Json counters = at(provenance, "counters");
+  for (const auto& [key, value] : counters.items()) {
+    rows += rowOf(
+        {labelOf(key), value.is_boolean() ? (value.get<bool>() ? "yes" : "no") : value.dump()});
+  }
+  if (counters.is_null()) {  // of a killed run
+    rows = rowOf({"frames", std::to_string(metrics.frames)}) +
+           rowOf({"loop links", std::to_string(metrics.counts.loop_links)});
   }
   if (const auto& motions = metrics.motions; motions.motions > motions.without_covariance) {
-    rows += fmt::format(
-        "<tr><td title=\"motions whose error lies within the 99 % ellipsoid of their covariance\">"
-        "motions within 99 %</td><td>{:.1f} %</td></tr><tr><td title=\"normalised error squared of "
-        "the motions; {} for honest covariances\">mean NEES</td><td>{:.2f}</td></tr>\n",
-        100 * motions.share_99, motions.degrees_of_freedom, motions.mean);
+    rows += rowOf({"motions within 99 %", fmt::format("{:.1f} %", 100 * motions.share_99)}, "td",
+                  "td", "motions whose error lies within the 99 % ellipsoid of their covariance") +
+            rowOf({"mean NEES", fmt::format("{:.2f}", motions.mean)}, "td", "td",
+                  fmt::format("normalised error squared of the motions; {} for honest covariances",
+                              motions.degrees_of_freedom));
   }
-  rows += latencyRows(provenance);
+  for (const auto& [label, key] :
+       {std::pair("latency, median", "median_ms"), {"latency, 99 %", "p99_ms"}}) {
+    const Json ms = at(provenance, "latency", key);
+    if (!ms.is_number()) continue;
+    rows += rowOf({label, fmt::format("{:.1f} ms", ms.get<double>())}, "td", "td",
+                  "from the exposure of a frame to its pose in the map");
+  }
   return "<table class=\"counts\">" + rows + "</table>\n";
 }
 
 /// The line below the heading of a run: its other name, and its plugins.
 std::string subtitle(const RunPage& run, const std::string& other) {
   std::string text = other;
-  const auto plugins = run.provenance.find("plugins");
-  if (!run.provenance.is_object() || plugins == run.provenance.end()) return text;
-  for (const Json& plugin : *plugins) {
+  for (const Json& plugin : at(run.provenance, "plugins")) {
     if (plugin.is_object()) {
       text += " · " + plugin.value("stage", "?") + ": " + plugin.value("id", "?");
     }
@@ -344,18 +303,9 @@ std::string section(const RunPage& run, const std::string& name) {
   return text;
 }
 
-using TextOf = std::function<std::string(const RunPage&)>;
-
 constexpr std::size_t kMaxSettings = 12;
 
-std::string rowOf(const std::string& label, const std::vector<std::string>& cells) {
-  std::string text = "<tr><th>" + escaped(label) + "</th>";
-  for (const std::string& cell : cells) text += "<td>" + escaped(cell) + "</td>";
-  return text + "</tr>\n";
-}
-
-/// Rows of settings that all runs have. Parameters of plugins that only some runs use are left out,
-/// because they are many.
+/// Rows of settings that all runs have: parameters of plugins that only some use are many.
 std::string settingRows(const std::vector<RunPage>& runs) {
   std::vector<const config::Node*> trees;
   trees.reserve(runs.size());
@@ -367,7 +317,9 @@ std::string settingRows(const std::vector<RunPage>& runs) {
   });
   std::string text;
   for (std::size_t i = 0; i < std::min(differences.size(), kMaxSettings); ++i) {
-    text += rowOf(differences[i].key, differences[i].values);
+    std::vector<std::string> cells = differences[i].values;
+    cells.insert(cells.begin(), differences[i].key);
+    text += rowOf(cells, "th");
   }
   if (differences.size() > kMaxSettings) {
     text += fmt::format("<tr><th colspan=\"{}\">and {} more settings</th></tr>\n", runs.size() + 1,
@@ -379,82 +331,75 @@ std::string settingRows(const std::vector<RunPage>& runs) {
 /// " (interrupted)" for a run that ended before its data, whose figures are of a part of them.
 std::string earlyEnd(const RunPage& run) {
   if (run.killed) return " (killed)";
-  const auto status = run.provenance.is_object() ? run.provenance.value("status", Json()) : Json();
+  const Json status = at(run.provenance, "status");
   if (status != "interrupted" && status != "failed") return "";
   return " (" + status.get<std::string>() + ")";
 }
 
-/// A counter of run.json; a dash for a killed run.
-TextOf counter(const char* name) {
-  return [name](const RunPage& run) -> std::string {
-    const Json* counters = run.provenance.is_object() && run.provenance.contains("counters")
-                               ? &run.provenance["counters"]
-                               : nullptr;
-    return counters && counters->contains(name) ? (*counters)[name].dump() : kNone;
+/// Rows of the comparison: label and text.
+std::vector<std::pair<std::string, std::string>> comparedFigures(const RunPage& run) {
+  const evaluation::Metrics& metrics = run.data.metrics;
+  const auto counter = [&](const char* name) {
+    const Json value = at(run.provenance, "counters", name);
+    return value.is_null() ? kNone : value.dump();
   };
-}
-
-TextOf score(evaluation::TrajectoryMetrics evaluation::Metrics::*estimate,
-             const ErrorColumn& column) {
-  return [=](const RunPage& run) { return column.text(run.data.metrics.*estimate); };
-}
-
-TextOf loops(std::int64_t evaluation::LoopFigures::*count) {
-  return [count](const RunPage& run) -> std::string {
-    const auto& figures = run.data.metrics.loops;
-    return figures ? std::to_string(*figures.*count) : kNone;
+  const auto loops = [&](std::int64_t evaluation::LoopFigures::*count) {
+    return metrics.loops ? std::to_string(*metrics.loops.*count) : kNone;
   };
-}
-
-std::vector<std::pair<std::string, TextOf>> metricRows() {
-  using evaluation::LoopFigures;
-  using evaluation::Metrics;
-  return {
-      {"alignment", [](const RunPage& run) { return evaluation::alignmentText(run.data.metrics); }},
-      {"map ATE rmse m", score(&Metrics::map, kErrorColumns[0])},
-      {"odometry ATE rmse m", score(&Metrics::odometry, kErrorColumns[0])},
-      {"odometry t_rel %", score(&Metrics::odometry, kErrorColumns[6])},
-      {"coverage %", score(&Metrics::odometry, kErrorColumns[8])},
-      {"loop links",
-       [](const RunPage& run) { return std::to_string(run.data.metrics.counts.loop_links); }},
-      {"true loop links", loops(&LoopFigures::true_links)},
-      {"false loop links", loops(&LoopFigures::false_links)},
-      {"frames", [](const RunPage& run) { return std::to_string(run.data.metrics.frames); }},
-      {"lost", counter("lost")},
-      {"dropped", counter("dropped")}};
+  return {{"alignment", evaluation::alignmentText(metrics)},
+          {"map ATE rmse m", kErrorColumns[0].text(metrics.map)},
+          {"odometry ATE rmse m", kErrorColumns[0].text(metrics.odometry)},
+          {"odometry t_rel %", kErrorColumns[6].text(metrics.odometry)},
+          {"coverage %", kErrorColumns[8].text(metrics.odometry)},
+          {"loop links", std::to_string(metrics.counts.loop_links)},
+          {"true loop links", loops(&evaluation::LoopFigures::true_links)},
+          {"false loop links", loops(&evaluation::LoopFigures::false_links)},
+          {"frames", std::to_string(metrics.frames)},
+          {"lost", counter("lost")},
+          {"dropped", counter("dropped")}};
 }
 
 }  // namespace
 
-Result<RunPage> makePage(const record::RunReader& reader, RunData data, const UnitChoice& units) {
-  const std::filesystem::path& directory = reader.directory();
-  RunPage page{std::move(data),
+Result<RunPage> makePage(const std::filesystem::path& directory, RunData data,
+                         const UnitChoice& units) {
+  const auto drawn = drawnUnits(data, units);
+  if (!drawn.isOk()) {
+    return Status(drawn.status().code(),
+                  directory.filename().string() + ": " + drawn.status().message());
+  }
+  RunPage page{{},
                directory.filename().string(),
-               {},
-               nullptr,
+               figuresOf(data, drawn.value()),
+               neuronsJson(data, drawn.value()),
                record::RunDirectory::readRunFile(directory),
                textOf(directory / "config.resolved.yaml"),
                record::RunDirectory::wasKilled(directory)};
-  const Status drawn = addFigures(page, reader, units);
-  if (!drawn.isOk()) return drawn;
+  page.data = std::move(data);
   page.data.cells = {};  // large, and drawn already
+  page.data.record = {};
   return page;
 }
 
 std::string comparisonTable(const std::vector<RunPage>& runs) {
   if (runs.size() < 2) return "";
-  std::string text =
-      "<h1>Comparison</h1>\n<div class=\"wide\"><table class=\"comparison\" style=\"--runs: " +
-      std::to_string(runs.size()) + "\">\n<thead><tr><th></th>";
+  std::vector<std::string> heading(1);
+  std::vector<std::vector<std::string>> rows;
   for (const RunPage& run : runs) {
-    text += fmt::format("<th>{}{}</th>", escaped(run.directory), earlyEnd(run));
+    heading.push_back(run.directory + earlyEnd(run));
+    const auto figures = comparedFigures(run);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      if (rows.size() <= i) rows.push_back({figures[i].first});
+      rows[i].push_back(figures[i].second);
+    }
   }
-  text += "</tr></thead>\n<tbody>\n";
-  for (const auto& [label, textOf] : metricRows()) {
-    std::vector<std::string> cells;
-    std::ranges::transform(runs, std::back_inserter(cells), textOf);
-    text += rowOf(label, cells);
-  }
+  std::string head = rowOf(heading, "th", "th");
+  head.pop_back();  // the line feed
+  std::string text = fmt::format(
+      "<h1>Comparison</h1>\n<div class=\"wide\"><table class=\"comparison\" "
+      "style=\"--runs: {}\">\n<thead>{}</thead>\n<tbody>\n",
+      runs.size(), head);
+  for (const std::vector<std::string>& cells : rows) text += rowOf(cells, "th");
   const std::string settings = settingRows(runs);
   if (!settings.empty()) text += "</tbody>\n<tbody class=\"settings\">\n" + settings;
   return text + "</tbody></table></div>\n";

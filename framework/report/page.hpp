@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "config/tree.hpp"
-#include "report/map_picture.hpp"
+#include "report/figures.hpp"
 #include "report/run_data.hpp"
-#include "report/units.hpp"
 
 namespace tolman::report {
 
@@ -32,16 +31,14 @@ struct RunPage {
   config::Node settings{};            ///< of `config`; only for the comparison of several runs
 };
 
-/// Draws every figure for which the record has data. `reader` must be of the run of `data`.
-/// InvalidParameter where the run has no such unit.
-Result<RunPage> makePage(const record::RunReader& reader, RunData data,
+/// Draws the figures of a run. InvalidParameter where it has no such unit.
+Result<RunPage> makePage(const std::filesystem::path& directory, RunData data,
                          const UnitChoice& units = {});
 
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);
 
-/// Settings in which the runs differ, and their metrics, with a column for each run; empty for a
-/// single one.
+/// Metrics and settings that differ, a column for each run; empty for a single one.
 std::string comparisonTable(const std::vector<RunPage>& runs);
 
 /// The page. With several runs it begins with their comparison, then has a part for each.

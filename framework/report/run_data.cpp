@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <map>
-#include <new>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
+#include "base/must.hpp"
 #include "base/record_rows.hpp"
 #include "evaluation/association.hpp"
 #include "evaluation/metrics.hpp"
@@ -19,18 +18,6 @@ namespace tolman::report {
 namespace {
 
 using evaluation::Alignment;
-
-template <class T>
-const T& must(const Result<T>& result) {
-  if (!result.isOk()) throw std::runtime_error(result.status().message());
-  return result.value();
-}
-
-template <class T>
-T must(Result<T>&& result) {
-  (void)must(std::as_const(result));
-  return std::move(result).value();
-}
 
 /// `auto`: similarity for a single camera, planar for a source without images, else rigid.
 Alignment resolve(config::AlignmentChoice asked, const record::RunReader& reader) {
@@ -101,14 +88,16 @@ evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std
     revisions[revision.frame] = revision;
   }
   evaluation::MotionErrors errors(truth, alignment == Alignment::Se2);
-  record::forEachRow<Motion>(reader.database(), "", [&](Motion motion) {
-    if (motion.frame < first) return;
-    if (const auto revised = revisions.find(motion.frame); revised != revisions.end()) {
-      motion.T_previous_current = revised->second.T_previous_current;
-      motion.covariance = revised->second.covariance;
-    }
-    errors.add(motion);
-  });
+  must(record::guarded(reader.directory().string(), [&] {
+    record::forEachRow<Motion>(reader.database(), "", [&](Motion motion) {
+      if (motion.frame < first) return;
+      if (const auto revised = revisions.find(motion.frame); revised != revisions.end()) {
+        motion.T_previous_current = revised->second.T_previous_current;
+        motion.covariance = revised->second.covariance;
+      }
+      errors.add(motion);
+    });
+  }));
   return errors.result();
 }
 
@@ -149,8 +138,7 @@ std::string digestOf(const evaluation::Trajectory& truth) {
   return sha.digest();
 }
 
-/// A part of the map that no loop joins is assumed to begin where the path before it ended, which
-/// adds to the errors.
+/// A part that no loop joins is assumed to begin where the path ended, which adds to the errors.
 void warnOfParts(evaluation::Metrics& metrics) {
   if (metrics.sessions.empty() || metrics.sessions.back().parts.size() <= 1) return;
   if (!metrics.map.warning.empty()) return;
@@ -180,12 +168,11 @@ bool returnsToPlace(const evaluation::Trajectory& truth) {
   return !evaluation::findRevisits(thinned, rule).empty();
 }
 
-/// The metrics of the trajectories and the graph in `run`.
-evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
-                            const RunData& run, const LoopRecord& loops,
-                            const config::EvaluationSettings& settings) {
+/// Fills the metrics, except those of the cells.
+void measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
+             const config::EvaluationSettings& settings, RunData& run) {
   const auto lengths = lengthsOf(settings);
-  evaluation::Metrics metrics;
+  evaluation::Metrics& metrics = run.metrics;
   metrics.alignment = resolve(settings.alignment, reader);
   const std::int64_t own = run.odometry.empty() ? 0 : run.odometry.front().frame;
   metrics.odometry = scored(since(own, truth), run.odometry, metrics.alignment, lengths);
@@ -205,6 +192,10 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
     warnOfParts(metrics);
   }
   warnOfScales(reader, own, metrics);
+  for (evaluation::TrajectoryMetrics* of : {&metrics.odometry, &metrics.map}) {
+    of->in_metres = run.record.in_metres || (of->scores && metrics.alignment == Alignment::Sim3);
+  }
+  metrics.motions = consistencyOf(reader, own, truth, metrics.alignment);
   const record::RunTotals totals = must(reader.totals());
   metrics.frames = totals.frames;
   metrics.templates = totals.templates;
@@ -212,18 +203,17 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   metrics.truth_sha256 = digestOf(truth);
   if (!truth.empty()) {
     metrics.returns = returnsToPlace(truth);
-    metrics.loops = evaluation::loopFigures(loops.loops, loops.places, truth, settings.loop_height);
+    metrics.loops =
+        evaluation::loopFigures(run.record.loops, run.record.places, truth, settings.loop_height);
   }
-  const auto timing = must(reader.timing());
-  for (const auto& [stage, durations] : timing) {
+  for (const auto& [stage, durations] : must(reader.timing())) {
     metrics.timing[stage] = evaluation::stageTiming(durations);
   }
-  return metrics;
 }
 
 /// Aligns the truth with the map in the world frame of the run. If that fails, run.truth is empty.
-void alignTruth(RunData& run, const evaluation::Trajectory& truth, bool scale_known) {
-  run.has_metres = scale_known;
+void alignTruth(RunData& run, const evaluation::Trajectory& truth) {
+  run.has_metres = run.record.in_metres;
   const auto matches = evaluation::associateByFrame(run.map, truth);
   if (!matches.isOk()) return;
   const auto similarity = evaluation::align(matches.value(), run.metrics.alignment);
@@ -258,35 +248,25 @@ evaluation::TrajectoryMetrics scoresForCells(const RunData& run,
   return metrics;
 }
 
-/// Errors of each matched frame after alignment.
-ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Trajectory& estimate,
-                     Alignment alignment) {
-  ErrorSeries series;
-  const auto matches = evaluation::associateByFrame(truth, estimate);
-  if (!matches.isOk()) return series;
-  const auto similarity = evaluation::align(matches.value(), alignment);
-  if (!similarity.isOk()) return series;
-  const auto aligned = evaluation::aligned(matches.value(), similarity.value());
-  for (const auto& pose : aligned.estimate) {
-    const auto stamp = pose.stamp_ns - estimate.front().stamp_ns;
-    series.seconds.push_back(static_cast<double>(stamp) * 1e-9);
-  }
-  series.metres = evaluation::positionErrors(aligned, alignment == Alignment::Se2
-                                                          ? evaluation::Direction::Horizontal
-                                                          : evaluation::Direction::All);
+/// Errors of each matched frame after alignment. Takes the pairs, which are large.
+ErrorSeries errorsOf(const evaluation::Trajectory& estimate,
+                     evaluation::TrajectoryMetrics& metrics) {
   constexpr std::size_t kPoints = 400;  // of a figure
-  series.steps =
-      evaluation::stepSeries(aligned, std::max<std::size_t>(1, aligned.size() / kPoints));
+  ErrorSeries series;
+  if (!metrics.scores) return series;
+  series.metres = evaluation::positionErrors(*metrics.scores);
+  const evaluation::Matches pairs = std::exchange(metrics.scores->pairs, {});
+  for (const auto& pose : pairs.estimate) {
+    series.seconds.push_back(1e-9 * static_cast<double>(pose.stamp_ns - estimate.front().stamp_ns));
+  }
+  series.steps = evaluation::stepSeries(pairs, std::max<std::size_t>(1, pairs.size() / kPoints));
   return series;
 }
 
-/// Also sets why the cells cannot be scored.
-evaluation::CellHistory cellsOf(const record::RunReader& reader, std::string& why_unscored) {
+evaluation::CellHistory cellsOf(const record::RunReader& reader) {
   evaluation::CellHistory cells(must(reader.arrayInfos()));
-  const Status status = reader.visitCellArrays(
-      [&](std::int64_t frame, NamedArray array) { cells.add(frame, std::move(array)); });
-  if (!status.isOk()) throw std::runtime_error(status.message());
-  why_unscored = cells.whyUnscored();
+  must(reader.visitCellArrays(
+      [&](std::int64_t frame, NamedArray array) { cells.add(frame, std::move(array)); }));
   cells.dropEmpty();
   return cells;
 }
@@ -315,52 +295,31 @@ RunData trajectoriesOf(const record::RunReader& reader, const config::Evaluation
   return data;
 }
 
-template <class Work>
-auto answeredFor(const record::RunReader& reader, Work&& work) -> Result<decltype(work())> {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return Status::failed(reader.directory().string() + ": out of memory");
-  } catch (const std::exception& error) {
-    return Status::invalidInput(error.what());
-  }
-}
-
 }  // namespace
 
 Result<LoopRecord> readLoops(const record::RunReader& reader,
                              const config::EvaluationSettings& settings) {
-  return answeredFor(reader, [&] {
+  return resultOf([&] {
     evaluation::Trajectory truth;
     (void)trajectoriesOf(reader, settings, truth);
-    return must(readLoops(reader, truth, settings.loop_height));
+    return readLoops(reader, truth, settings.loop_height);
   });
 }
 
 Result<RunData> readRun(const record::RunReader& reader, const config::EvaluationSettings& settings,
                         std::uint64_t seed) {
-  return answeredFor(reader, [&] {
+  return resultOf([&] {
     evaluation::Trajectory truth;
     RunData data = trajectoriesOf(reader, settings, truth);
-    const std::int64_t own = data.odometry.empty() ? 0 : data.odometry.front().frame;
-    const auto body = data.metrics.body;
-    {  // it holds all answers of places and cells
-      const LoopRecord loops = must(readLoops(reader, truth, settings.loop_height));
-      data.metrics = measure(reader, truth, data, loops, settings);
-      data.loops = storiesOf(loops);
-    }
-    data.metrics.body = body;
-    data.metrics.motions = consistencyOf(reader, own, truth, data.metrics.alignment);
-    alignTruth(data, truth, must(reader.scaleKnown()));
-    for (evaluation::TrajectoryMetrics* scored : {&data.metrics.odometry, &data.metrics.map}) {
-      const bool scaled = scored->scores && data.metrics.alignment == Alignment::Sim3;
-      scored->in_metres = scaled || must(reader.scaleKnown());
-    }
-    data.cells = cellsOf(reader, data.metrics.no_cells);
+    data.record = readLoops(reader, truth, settings.loop_height);
+    data.loops = storiesOf(data.record);
+    measure(reader, truth, settings, data);
+    data.odometry_error = errorsOf(data.odometry, data.metrics.odometry);
+    data.map_error = errorsOf(data.map, data.metrics.map);
+    alignTruth(data, truth);
+    data.cells = cellsOf(reader);
     data.metrics.cells = evaluation::scoreCells(data.cells, data.map, must(reader.map()),
                                                 data.truth, scoresForCells(data, truth), seed);
-    data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
-    data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
     return data;
   });
 }

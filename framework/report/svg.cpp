@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/svg.hpp"
 
+#include <cairo-pdf.h>
 #include <fmt/format.h>
+#include <librsvg/rsvg.h>
 
-#include <algorithm>
-#include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
+#include <memory>
 #include <utility>
 
+#include "base/must.hpp"
 #include "config/text.hpp"
 
 namespace tolman::report {
+
 namespace {
 
 std::uint32_t colourOf(double value) {
@@ -35,8 +38,7 @@ std::string listOf(const std::vector<Eigen::Vector2d>& points) {
   return list;
 }
 
-/// Without the points that look like the one before: a long run has hundreds of them in a
-/// pixel.
+/// Without points that look like the one before: a long run has hundreds of them in a pixel.
 std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& points) {
   constexpr double kVisible = 0.2;  // px
   std::vector<Eigen::Vector2d> kept;
@@ -151,6 +153,90 @@ void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,
   }
   svg.text({left - 6, middle.y() + 4}, low, {TextAnchor::End, 11});
   svg.text({left + kSteps * cell.x() + 6, middle.y() + 4}, high, {TextAnchor::Start, 11});
+}
+
+namespace {
+
+constexpr double kLargestSide = 16384;  // px; 1 GiB of pixels
+
+struct Release {
+  void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
+  void operator()(GError* error) const { g_error_free(error); }
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Release>;
+
+[[noreturn]] void refuse(const char* reason) {
+  throw Refused{Status::failed(std::string("a figure cannot be drawn: ") + reason)};
+}
+
+void check(bool is_done, GError* error) {
+  const Owned<GError> owned(error);
+  if (!is_done) refuse(owned ? owned->message : "unknown reason");
+}
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned size) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// The file of an SVG with `zoom` pixels or points per unit.
+std::string drawn(const std::string& svg, double zoom, bool as_pdf) {
+  GError* error = nullptr;
+  const auto* data = reinterpret_cast<const guint8*>(svg.data());
+  const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(data, svg.size(), &error));
+  check(handle != nullptr, error);
+  RsvgRectangle whole{0, 0, 0, 0};
+  const bool sized =
+      rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &whole.width, &whole.height) != 0;
+  const auto fits = [&](double side) { return zoom * side >= 1 && zoom * side <= kLargestSide; };
+  if (!sized || !fits(whole.width) || !fits(whole.height)) refuse("its size is unfit");
+  std::string bytes;
+  const auto pixels = [&](double side) { return static_cast<int>(std::lround(zoom * side)); };
+  const Owned<cairo_surface_t> surface(
+      as_pdf ? cairo_pdf_surface_create_for_stream(append, &bytes, zoom * whole.width,
+                                                   zoom * whole.height)
+             : cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(whole.width),
+                                          pixels(whole.height)));
+  // An empty date is left out of the file.
+  if (as_pdf) cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+  {
+    const Owned<cairo_t> context(cairo_create(surface.get()));
+    cairo_scale(context.get(), zoom, zoom);
+    const bool is_done =
+        rsvg_handle_render_document(handle.get(), context.get(), &whole, &error) != 0;
+    check(is_done, error);
+  }
+  if (!as_pdf) cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+  cairo_surface_finish(surface.get());
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
+    refuse(cairo_status_to_string(cairo_surface_status(surface.get())));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+Result<std::string> pngOf(const std::string& svg, double zoom) {
+  return resultOf([&] { return drawn(svg, zoom, false); });
+}
+
+Result<std::string> pdfOf(const std::string& svg, double points) {
+  return resultOf([&] { return drawn(svg, points, true); });
+}
+
+std::string pngUrl(Pixels pixels) {
+  const Owned<cairo_surface_t> surface(cairo_image_surface_create_for_data(
+      reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32,
+      static_cast<int>(pixels.cols()), static_cast<int>(pixels.rows()),
+      static_cast<int>(4 * pixels.cols())));
+  std::string bytes;
+  cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+  const std::unique_ptr<gchar, decltype(&g_free)> text(
+      g_base64_encode(reinterpret_cast<const guchar*>(bytes.data()), bytes.size()), g_free);
+  return std::string("data:image/png;base64,") + text.get();
 }
 
 }  // namespace tolman::report

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tolman/status.hpp"
+
 namespace tolman::report {
 
 // The palette of Okabe and Ito (2008), distinguishable with colour blindness.
@@ -33,8 +35,7 @@ inline constexpr const char* kGridLine = "#e6e6e6";
 inline constexpr const char* kFaintLine = "#bbbbbb";
 inline constexpr const char* kPaleBlue = "#cfe3f1";
 
-/// `text` with the special characters of XML and HTML replaced by entities, and characters that
-/// cannot be printed by U+FFFD.
+/// With entities for the special characters of XML, and U+FFFD for what cannot be printed.
 std::string escaped(std::string_view text);
 
 enum class TextAnchor : std::uint8_t { Start, Middle, End };
@@ -86,5 +87,17 @@ Pixels ratePixels(const Eigen::MatrixXd& rates, double most);
 /// The colours from 0 to 1 as a bar between two labels, centred at `middle`.
 void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,
                std::string_view high);
+
+// Figures and pixels as PNG, figures as PDF, with librsvg and cairo.
+
+/// A PNG file with `zoom` pixels per unit. Failed if the text is not SVG, or too large.
+Result<std::string> pngOf(const std::string& svg, double zoom = 2);
+
+/// The bytes of a PDF file of one page, with `points` (1/72 inch) per unit of the SVG: lines and
+/// text, no pixels. It has no date, so that the same figure gives the same bytes.
+Result<std::string> pdfOf(const std::string& svg, double points = 0.7);
+
+/// The URL of a picture within an SVG: "data:image/png;base64,...".
+std::string pngUrl(Pixels pixels);
 
 }  // namespace tolman::report

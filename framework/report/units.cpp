@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/units.hpp"
-
 #include <fmt/format.h>
+
+#include "report/figures.hpp"
 
 namespace tolman::report {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using evaluation::axisAngle;
 using evaluation::axisValue;
 using evaluation::kDegrees;
@@ -45,18 +46,21 @@ DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
   const auto& axes = sheet.info.axes;
   const std::size_t unit = choice.row * sizeOf(run.cells.sheets, 1) + choice.column;
   const auto one = unitsAt(sheet, poses, {unit}, run.metrics.cells->truth);
-  const auto measured = scoreSheet(one, periodInMetres(sheet), kNoShuffling).units[0];
-  const auto lattice = evaluation::bestLattice(run.metrics.cells->sheets[0].scores);
+  const auto measured = scoreSheet(one, periodInMetres(sheet), kNoShuffling);
+  const auto& all = run.metrics.cells->sheets[0].scores;
+  const auto& value = measured.units[0].scores;
+  const evaluation::Lattice lattice = evaluation::bestLattice(all);
   const std::string score =
-      measured.scores && lattice.score
-          ? fmt::format(", {} score {:.2f} (chance {:.2f})", lattice.name,
-                        (*measured.scores).*lattice.of_unit, lattice.score->chance)
+      value[lattice.score] && all.scores[lattice.score]
+          ? fmt::format(", {} score {:.2f} (chance {:.2f})", lattice.name, *value[lattice.score],
+                        all.scores[lattice.score]->chance)
           : ", too narrow an area for grid scores";
+  const std::size_t count = measured.units[0].fields;
   DrawnUnit drawn{fmt::format("grid unit ({}, {}), phase ({:.3g}, {:.3g}) {}", choice.row + 1,
                               choice.column + 1, axisValue(axes[0], choice.row),
                               axisValue(axes[1], choice.column), axes[0].unit),
-                  fmt::format("{} field{}, {:.2f} bits{}", measured.fields,
-                              measured.fields == 1 ? "" : "s", measured.information_bits, score),
+                  fmt::format("{} field{}, {:.2f} bits{}", count, count == 1 ? "" : "s",
+                              *value[all.indexOf("spatial_information_bits")], score),
                   inMetres(firingMap(one, 0), run),
                   {}};
   drawn.fields = evaluation::fields(drawn.rates);
@@ -79,63 +83,37 @@ Status checkChoice(const evaluation::CellHistory& cells, const UnitChoice& choic
   return refusal.empty() ? Status::ok() : Status(StatusCode::InvalidParameter, refusal);
 }
 
-using Json = nlohmann::ordered_json;
-using evaluation::axisAngle;
-using evaluation::axisValue;
-using evaluation::kDegrees;
-using evaluation::PopulationHistory;
-
-Json ringUnitJson(const PopulationHistory& ring, std::size_t i, const evaluation::RingUnit& unit) {
-  const auto& width = unit.tuning.half_width;
-  return {{"array", ring.info.name},
-          {"unit", i + 1},
-          {"nominal_deg", axisAngle(ring.info.axes[0], i) * kDegrees},
-          {"preferred_deg", unit.tuning.preferred * kDegrees},
-          {"mean_vector_length", unit.tuning.mean_vector_length},
-          {"half_width_deg", width ? Json(*width * kDegrees) : Json()},
-          {"spatial_information_bits", unit.information_bits},
-          {"tuning", unit.tuning.rate}};
+/// What describes a unit of a ring, or of a sheet.
+Json memberJson(const PopulationHistory& population, std::size_t i,
+                const evaluation::MeasuredUnit& unit) {
+  const auto& axes = population.info.axes;
+  if (axes.size() == 1) {
+    return {{"unit", i + 1},
+            {"nominal_deg", axisAngle(axes[0], i) * kDegrees},
+            {"preferred_deg", unit.tuning.preferred * kDegrees},
+            {"tuning", unit.tuning.rate}};
+  }
+  const auto columns = static_cast<std::size_t>(population.shape[1]);
+  const std::size_t row = i / columns, column = i % columns;
+  return {{"unit", {row + 1, column + 1}},
+          {"nominal", {axisValue(axes[0], row), axisValue(axes[1], column)}},
+          {"fields", unit.fields}};
 }
 
-Json sheetUnitJson(const PopulationHistory& sheet, std::size_t i,
-                   const evaluation::SheetUnit& unit) {
-  const auto columns = static_cast<std::size_t>(sheet.shape[1]);
-  const std::size_t row = i / columns;
-  const std::size_t column = i % columns;
-  const auto& axes = sheet.info.axes;
-  Json json{{"array", sheet.info.name},
-            {"unit", {row + 1, column + 1}},
-            {"nominal", {axisValue(axes[0], row), axisValue(axes[1], column)}},
-            {"spatial_information_bits", unit.information_bits},
-            {"fields", unit.fields}};
-  const auto score = [&](const char* key, double evaluation::GridScores::*member) {
-    json[key] = unit.scores ? Json((*unit.scores).*member) : Json();
-  };
-  score("grid_score_square", &evaluation::GridScores::square);
-  score("grid_score_sargolini", &evaluation::GridScores::sargolini);
-  score("grid_score_langston", &evaluation::GridScores::langston);
-  score("spacing_m", &evaluation::GridScores::spacing);
-  score("ellipticity", &evaluation::GridScores::ellipticity);
-  score("orientation_rad", &evaluation::GridScores::orientation);
-  const auto other = [&](const char* key, const std::optional<double>& value) {
-    json[key] = value ? Json(*value) : Json();
-  };
-  other("sparsity", unit.sparsity);
-  other("coherence", unit.coherence);
-  other("border_score", unit.border);
-  other("speed_score", unit.speed);
-  return json;
-}
-
-/// Collects unit_json(population, index, unit) for all measured units of all populations.
-template <class Figures, class UnitJson>
+/// All measured units of all populations.
 Json unitsJson(const std::vector<PopulationHistory>& populations,
-               const std::vector<Figures>& figures, UnitJson&& unit_json) {
+               const std::vector<evaluation::PopulationFigures>& figures) {
   Json list = Json::array();
   for (std::size_t p = 0; p < populations.size(); ++p) {
+    const evaluation::PopulationScores& scores = figures[p].scores;
     const std::vector<std::size_t> measured = measuredUnits(populations[p]);
     for (std::size_t i = 0; i < measured.size(); ++i) {
-      list.push_back(unit_json(populations[p], measured[i], figures[p].scores.units[i]));
+      Json& json = list.emplace_back(Json{{"array", figures[p].array}});
+      json.update(memberJson(populations[p], measured[i], scores.units[i]));
+      for (std::size_t k = 0; k < scores.kinds.size(); ++k) {
+        const auto& value = scores.units[i].scores[k];
+        json[std::string(scores.kinds[k].key)] = value ? Json(*value) : Json();
+      }
     }
   }
   return list;
@@ -164,8 +142,8 @@ Json neuronsJson(const RunData& run, const std::vector<DrawnUnit>& drawn) {
   if (!run.metrics.cells) return nullptr;
   const evaluation::CellFigures& figures = *run.metrics.cells;
   Json json{{"places", figures.truth ? "truth" : "map"},
-            {"head_direction", unitsJson(run.cells.rings, figures.rings, ringUnitJson)},
-            {"grid", unitsJson(run.cells.sheets, figures.sheets, sheetUnitJson)},
+            {"head_direction", unitsJson(run.cells.rings, figures.rings)},
+            {"grid", unitsJson(run.cells.sheets, figures.sheets)},
             {"rate_maps", Json::object()}};
   for (const DrawnUnit& unit : drawn) json["rate_maps"][unit.name] = toJson(unit.rates);
   return json;

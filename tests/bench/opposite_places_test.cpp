@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "experiment/bench_places.hpp"
+#include "experiment/bench.hpp"
 
 using namespace tolman;
 using namespace tolman::experiment;

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <regex>
 
-#include "experiment/bench_places.hpp"
+#include "experiment/bench.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

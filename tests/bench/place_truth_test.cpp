@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "experiment/bench_places.hpp"
+#include "experiment/bench.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scores of units by closed forms, and walks that differ only in how they were recorded.
-#include "evaluation/place_scores.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "evaluation/lattice_maps.hpp"
+#include "evaluation/recorded_cells.hpp"
 
 using namespace tolman;
 using namespace tolman::evaluation;

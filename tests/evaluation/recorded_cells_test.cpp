@@ -57,42 +57,6 @@ TEST_CASE("an array of another shape than described is left out") {
   CHECK(cells.rings[0].frames == std::vector<std::int64_t>{1});
 }
 
-TEST_CASE("a description that the array contradicts is named where nothing is scored") {
-  constexpr double kTurn = 2 * std::numbers::pi;
-  const auto why = [](std::vector<ArrayAxis> axes, std::vector<int> shape = {36}) {
-    CellHistory cells({described("hd", std::move(axes))});
-    std::size_t size = 1;
-    for (const int side : shape) size *= static_cast<std::size_t>(side);
-    cells.add(0, arrayOf("hd", std::move(shape), size));
-    return cells.whyUnscored();
-  };
-  const auto heading = [](const char* unit, double step, double period) {
-    return ArrayAxis{"heading", unit, 0, step, period, {}};
-  };
-  const ArrayAxis sound = heading("rad", kTurn / 36, kTurn);
-  CHECK(why({sound}).empty());
-  CHECK(why({heading("deg", kTurn / 36, kTurn)}) ==
-        "axis 'heading' of array 'hd' has 36 units, and is described with a period of 6.283 deg in "
-        "steps of 0.1745; a turn is 360 deg or 2 pi rad");
-  CHECK_FALSE(why({heading("rad", 0, kTurn)}).empty());
-  CHECK_FALSE(why({heading("rad", kTurn / 36, 1)}).empty());
-  CHECK(why({sound}, {30}).find("has 30 units") != std::string::npos);
-  CHECK(why({sound, sound}) == "array 'hd' has 1 axes and is described with 2");
-}
-
-TEST_CASE("arrays that are no rings or sheets, as described, need no reason") {
-  ArrayAxis open = kX;
-  open.period = 0;
-  ArrayInfo values = described("values", {kHeading});
-  values.kind = ArrayKind::Values;
-  CellHistory cells({described("line", {kX}), described("places", {open}), values,
-                     described("cube", {kX, kX, kX})});
-  cells.add(0, arrayOf("line", {4}, 4));
-  cells.add(0, arrayOf("places", {100}, 100));
-  cells.add(0, arrayOf("cube", {4, 4, 4}, 64));
-  CHECK(cells.whyUnscored().empty());
-}
-
 TEST_CASE("long runs are kept at evenly spaced frames") {
   CellHistory cells({described("ring", {kHeading})});
   constexpr std::int64_t kFrames = 12000;

@@ -180,24 +180,6 @@ TEST_CASE("broken trajectory files are refused with file and line") {
   CHECK_FALSE(readTrajectory("/tmp").isOk());
 }
 
-TEST_CASE("a file cut within its last number is refused, one without a last line end is not") {
-  const Folder folder;
-  const std::string rotation = "1 0 0 0.5 0 1 0 0 0 0 1 ";
-  const std::string two = rotation + "-1.250000e+00\n" + rotation + "2.500000e+01\n";
-  CHECK(readTrajectory(folder.file(two + rotation + "-1.750000e+01")).value().size() == 3);
-  CHECK(folder.kittiRefusal(two + rotation + "-1.750000e+0") ==
-        "poses.txt:3: the file ends within this line, its last number '-1.750000e+0' is cut; put "
-        "back the whole file");
-  // A line that has an end is as it was meant.
-  CHECK(readTrajectory(folder.file(two + rotation + "-1.750000e+0\n")).isOk());
-  const std::string tum = "0 1 2 3 0 0 0 1.00\n1 1 2 3 0 0 0 1.00\n2 1 2 3 0 0 0 1";
-  CHECK(readTrajectory(folder.file(tum + ".00")).value().size() == 3);
-  for (const char* end : {".0", ".", ""}) {
-    CHECK_THAT(folder.tumRefusal(tum + end), Catch::Contains("is cut; put back the whole file"));
-  }
-  CHECK(readTrajectory(folder.file("0 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1")).isOk());
-}
-
 TEST_CASE("random bytes never crash a reader, and its message is printable") {
   const Folder folder;
   RandomStream random(7);

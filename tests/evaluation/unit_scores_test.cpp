@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "evaluation/errors.hpp"
 #include "evaluation/lattice_maps.hpp"
 #include "evaluation/recorded_cells.hpp"
 
@@ -61,85 +62,86 @@ RecordedUnits noise(std::size_t count) {
 
 TEST_CASE("an ideal von Mises ring: width and vector of the closed form, all above chance") {
   constexpr double kConcentration = 2.3665;  // half of the peak at 45 degrees
-  const RingScores scores = scoreRing(
+  const PopulationScores scores = scoreRing(
       unitsOf(12,
               [&](std::size_t unit, const Sample& sample) {
                 const double off = sample.heading - static_cast<double>(unit) * kFullTurn / 12;
                 return std::exp(kConcentration * (std::cos(off) - 1));
               }),
       kShuffling);
-  REQUIRE(scores.half_width_deg);
-  CHECK(scores.half_width_deg->median == Approx(45).margin(2));
+  REQUIRE(scores.of("half_width_deg"));
+  CHECK(scores.of("half_width_deg")->median == Approx(45).margin(2));
   REQUIRE(scores.units.size() == 12);
-  for (const RingUnit& unit : scores.units) {
+  for (const MeasuredUnit& unit : scores.units) {
     CHECK(*unit.tuning.half_width * kDegrees == Approx(45).margin(4));
   }
   // I1/I0 of the concentration.
-  REQUIRE(scores.mean_vector_length);
-  CHECK(scores.mean_vector_length->median ==
+  REQUIRE(scores.of("mean_vector_length"));
+  CHECK(scores.of("mean_vector_length")->median ==
         Approx(std::cyl_bessel_i(1, kConcentration) / std::cyl_bessel_i(0, kConcentration))
             .margin(0.02));
-  CHECK(scores.mean_vector_length->chance < 0.5);
-  CHECK(scores.mean_vector_length->share_better == 1);
+  CHECK(scores.of("mean_vector_length")->chance < 0.5);
+  CHECK(scores.of("mean_vector_length")->share_better == 1);
 }
 
 TEST_CASE("ideal grids score above chance by their own definition") {
   const double angle = GENERATE(std::numbers::pi / 3, std::numbers::pi / 2);
   const bool hexagonal = angle < 1.2;
-  const SheetScores scores = scoreSheet(
+  const PopulationScores scores = scoreSheet(
       unitsOf(8,
               [&](std::size_t unit, const Sample& sample) {
                 const Eigen::Vector2d phase = Eigen::Vector2d(3, 5) * static_cast<double>(unit);
                 return test::latticeRate(sample.position + phase, 12, 0.2, angle);
               }),
       12, kShuffling);
-  REQUIRE((scores.square && scores.sargolini && scores.langston && scores.information_bits));
-  const UnitScore& own = hexagonal ? *scores.sargolini : *scores.square;
-  const UnitScore& other = hexagonal ? *scores.square : *scores.sargolini;
+  REQUIRE((scores.of("grid_score_square") && scores.of("grid_score_sargolini") &&
+           scores.of("grid_score_langston") && scores.of("spatial_information_bits")));
+  const UnitScore& own =
+      hexagonal ? *scores.of("grid_score_sargolini") : *scores.of("grid_score_square");
+  const UnitScore& other =
+      hexagonal ? *scores.of("grid_score_square") : *scores.of("grid_score_sargolini");
   CHECK(own.median > 0.9);
   CHECK(own.share_better == 1);
   REQUIRE(scores.units.size() == 8);
-  for (const SheetUnit& unit : scores.units) {
-    REQUIRE(unit.scores);
-    CHECK(unit.scores->spacing == Approx(12).margin(1.5));
+  for (const MeasuredUnit& unit : scores.units) {
+    CHECK(*unit.scores[scores.indexOf("spacing_m")] == Approx(12).margin(1.5));
     CHECK(unit.fields >= 6);
   }
   CHECK(own.chance < 0.9);
   CHECK(own.shuffled_median < 0.3);
   CHECK(other.median < 0.3);
-  CHECK(scores.information_bits->share_better == 1);
+  CHECK(scores.of("spatial_information_bits")->share_better == 1);
 }
 
 TEST_CASE("of Poisson noise about a twentieth is above chance") {
   const RecordedUnits units = noise(100);
-  const RingScores ring = scoreRing(units, kShuffling);
-  const SheetScores sheet = scoreSheet(units, 12, kShuffling);
+  const PopulationScores ring = scoreRing(units, kShuffling);
+  const PopulationScores sheet = scoreSheet(units, 12, kShuffling);
   for (const auto& score :
-       {ring.mean_vector_length, ring.information_bits, ring.half_width_deg, sheet.square,
-        sheet.sargolini, sheet.langston, sheet.information_bits}) {
+       {ring.of("mean_vector_length"), ring.of("spatial_information_bits"),
+        ring.of("half_width_deg"), sheet.of("grid_score_square"), sheet.of("grid_score_sargolini"),
+        sheet.of("grid_score_langston"), sheet.of("spatial_information_bits")}) {
     REQUIRE(score);
     CHECK(score->share_better < 0.13);  // four standard deviations of 100 units at 5 %
   }
-  CHECK(ring.mean_vector_length->median ==
-        Approx(ring.mean_vector_length->shuffled_median).epsilon(0.25));
+  CHECK(ring.of("mean_vector_length")->median ==
+        Approx(ring.of("mean_vector_length")->shuffled_median).epsilon(0.25));
 }
 
 TEST_CASE("the same seed gives the same chance") {
   const RecordedUnits units = noise(10);
   const auto bits = [&](std::uint64_t seed) {
-    return scoreRing(units, {200, 100, seed}).information_bits->chance;
+    return scoreRing(units, {200, 100, seed}).of("spatial_information_bits")->chance;
   };
   CHECK(bits(1) == bits(1));
   CHECK(bits(1) != bits(2));
 }
 
 TEST_CASE("percentiles by hand") {
-  const auto errors = errorFigures({5, 1, 4, 2, 3});
-  REQUIRE(errors);
-  CHECK(errors->count == 5);
-  CHECK(errors->median == 3);
-  CHECK(errors->p90 == Approx(4.6));
-  CHECK_FALSE(errorFigures({}));
+  const Statistics errors = statistics({5, 1, 4, 2, 3});
+  CHECK(errors.count == 5);
+  CHECK(errors.median == 3);
+  CHECK(errors.p90 == Approx(4.6));
   std::vector<double> shuffled;
   for (int i = 0; i <= 100; ++i) shuffled.push_back(i);
   const auto score = againstChance({94, 96, 97, 99}, shuffled);
@@ -158,11 +160,11 @@ TEST_CASE("a walk of few headings, or too short to shift, has no such score") {
     street.walk.push_back({{0, i}, 0.1, 0});
     street.rates[0].push_back(static_cast<float>(i % 7));
   }
-  const RingScores scores = scoreRing(street, kShuffling);
-  CHECK_FALSE(scores.mean_vector_length);
-  CHECK_FALSE(scores.half_width_deg);
-  CHECK(scores.information_bits);
-  CHECK_FALSE(scoreSheet(street, 12, kShuffling).square);
-  CHECK_FALSE(scoreRing(street, {200, 151, 1}).information_bits);
-  CHECK_FALSE(scoreRing({}, kShuffling).information_bits);
+  const PopulationScores scores = scoreRing(street, kShuffling);
+  CHECK_FALSE(scores.of("mean_vector_length"));
+  CHECK_FALSE(scores.of("half_width_deg"));
+  CHECK(scores.of("spatial_information_bits"));
+  CHECK_FALSE(scoreSheet(street, 12, kShuffling).of("grid_score_square"));
+  CHECK_FALSE(scoreRing(street, {200, 151, 1}).of("spatial_information_bits"));
+  CHECK_FALSE(scoreRing({}, kShuffling).of("spatial_information_bits"));
 }

@@ -12,14 +12,14 @@ using namespace tolman;
 using namespace tolman::experiment;
 
 TEST_CASE("centre and spread") {
-  const Summary summary = summaryOf({4, 1, 3, 2});
+  const evaluation::Statistics summary = evaluation::statistics({4, 1, 3, 2});
   CHECK(summary.mean == 2.5);
   CHECK(summary.median == 2.5);
   CHECK(summary.deviation == Approx(std::sqrt(5.0 / 3)));
-  CHECK(summary.low == 1);
-  CHECK(summary.high == 4);
+  CHECK(summary.min == 1);
+  CHECK(summary.max == 4);
   CHECK(evaluation::quantile({1, 2, 3, 4}, 0.25) == 1.75);  // numpy.quantile([1, 2, 3, 4], 0.25)
-  CHECK(summaryOf({7}).deviation == 0);
+  CHECK(evaluation::statistics({7}).deviation == 0);
 }
 
 TEST_CASE("the signed rank test is exact") {
@@ -56,7 +56,7 @@ TEST_CASE("the bootstrap interval is that of the mean") {
   RandomStream random(5);
   std::vector<double> values;
   for (int i = 0; i < 400; ++i) values.push_back(3 + 2 * random.normal());
-  const Summary summary = summaryOf(values);
+  const evaluation::Statistics summary = evaluation::statistics(values);
   const Interval interval = bootstrapMean({values}, 1);
   const double half = 1.96 * summary.deviation / std::sqrt(400);  // central limit theorem
   CHECK(interval.low == Approx(summary.mean - half).margin(0.05 * half));

@@ -5,7 +5,6 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "report/axes.hpp"
-#include "report/raster.hpp"
 #include "report/svg.hpp"
 
 using namespace tolman::report;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <regex>
 
-#include "report/raster.hpp"
 #include "report/recorded_walk.hpp"
 #include "report/sample_pages.hpp"
 #include "report/svg.hpp"
@@ -128,7 +127,7 @@ TEST_CASE("all units: a dial for each of every ring, a picture for every module"
   CHECK(svg.find("grid0.activity: 144 grid units, period 20 m") != std::string::npos);
   CHECK(svg.find("grid1.activity: 144 grid units, period 28.4 m") != std::string::npos);
   CHECK(std::regex_search(svg, std::regex("[1-9]0? m; each map 6")));
-  const auto chance = run.metrics.cells->sheets[1].scores.square->chance;
+  const auto chance = run.metrics.cells->sheets[1].scores.of("grid_score_square")->chance;
   CHECK(svg.find(fmt::format("chance {:.2f}", chance)) != std::string::npos);
 }
 
@@ -136,9 +135,9 @@ TEST_CASE("grid unit and chance are those of the metrics") {
   const RunData run = test::readWalk({});
   const std::string svg = firingFigure(drawnUnits(run, {0, 2, 3}).value());
   const auto& sheet = run.metrics.cells->sheets[0].scores;
-  CHECK(svg.find(fmt::format("square grid score {:.2f} (chance {:.2f})",
-                             sheet.units[2 * 12 + 3].scores->square, sheet.square->chance)) !=
-        std::string::npos);
+  const auto& unit = sheet.units[2 * 12 + 3].scores[sheet.indexOf("grid_score_square")];
+  CHECK(svg.find(fmt::format("square grid score {:.2f} (chance {:.2f})", unit.value(),
+                             sheet.of("grid_score_square")->chance)) != std::string::npos);
 }
 
 TEST_CASE("times of stages are those recorded") {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Why loops were closed or missed, as text, on a small record.
-#include "report/loop_stories.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "report/run_data.hpp"
 
 using namespace tolman;
 using namespace tolman::report;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/map_picture.hpp"
-
 #include <catch2/catch.hpp>
 #include <regex>
 
+#include "report/figures.hpp"
 #include "report/sample_pages.hpp"
 
 using namespace tolman;

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <regex>
 
-#include "report/map_picture.hpp"
+#include "report/figures.hpp"
 #include "report/sample_pages.hpp"
 #include "report/svg.hpp"
 #include "support/data.hpp"

@@ -95,7 +95,7 @@ inline Result<report::RunPage> pageOf(const std::filesystem::path& folder,
   if (!reader.isOk()) return reader.status();
   auto data = report::readRun(*reader.value(), {}, 1);
   if (!data.isOk()) return data.status();
-  return report::makePage(*reader.value(), std::move(data).value(), units);
+  return report::makePage(folder, std::move(data).value(), units);
 }
 
 }  // namespace tolman::test
