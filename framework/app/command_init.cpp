@@ -87,8 +87,30 @@ std::string scaleText(const Recording& r) {
       r.width, r.height);
 }
 
-std::string configurationFor(const std::string& path, const SourceValues& given,
-                             const std::string& carrier, const Invocation& invocation, Use use) {
+struct InitCommand {
+  std::string recording;
+  Output out;
+  std::string carrier;
+  std::vector<std::string> values;
+};
+
+void init(const InitCommand& command, const Invocation& invocation) {
+  const std::string& file = command.out.path;
+  if (!file.empty()) refuseExisting({file}, command.out.replace, "--out");
+  const std::string text =
+      initialFor(command.recording, valuesIn(command.values, ""), command.carrier, invocation).text;
+  if (file.empty()) {
+    std::cout << text;
+    return;
+  }
+  failUnless(record::writeOutput(file, text));
+  printFiles({file}, invocation);
+}
+
+}  // namespace
+
+Initial initialFor(const std::string& path, const SourceValues& given, const std::string& carrier,
+                   const Invocation& invocation, Use use) {
   std::error_code error;
   const fs::path recording = fs::canonical(path, error);
   if (error) fail(ExitCode::Dataset, path + ": " + error.message());
@@ -99,9 +121,11 @@ std::string configurationFor(const std::string& path, const SourceValues& given,
   }
   const Recording found = lookAt(recording, given, invocation);
   const std::string used = carrier.empty() ? guessCarrier(found) : carrier;
-  const std::string stages = configFile("configs/init/" + stagesFile(found, used));
-  return initText(recording, found, carrier,
-                  valueOf(text_encoding::readText(stages), ExitCode::Configuration), use);
+  const std::string stages = stagesFile(found, used);
+  const std::string file = configFile("configs/init/" + stages);
+  return {initText(recording, found, carrier,
+                   valueOf(text_encoding::readText(file), ExitCode::Configuration), use),
+          stages};
 }
 
 /// The parameters in overrides such as "first=3", behind the prefix.
@@ -114,28 +138,6 @@ SourceValues valuesIn(const std::vector<std::string>& overrides, const std::stri
   }
   return values;
 }
-
-struct InitCommand {
-  std::string recording;
-  Output out;
-  std::string carrier;
-  std::vector<std::string> values;
-};
-
-void init(const InitCommand& command, const Invocation& invocation) {
-  const std::string& file = command.out.path;
-  if (!file.empty()) refuseExisting({file}, command.out.replace, "--out");
-  const std::string text = configurationFor(command.recording, valuesIn(command.values, ""),
-                                            command.carrier, invocation, Use::Run);
-  if (file.empty()) {
-    std::cout << text;
-    return;
-  }
-  failUnless(record::writeOutput(file, text));
-  printFiles({file}, invocation);
-}
-
-}  // namespace
 
 std::string guessCarrier(const Recording& r) {
   const bool wide = r.baseline > 0 ? r.baseline >= kWideBaseline : r.width >= kWideImage * r.height;
@@ -178,7 +180,7 @@ engine::SystemOptions withRecording(engine::SystemOptions options, const Invocat
   if (is_yaml || !fs::exists(given, ignored)) return options;
   if (!is_folder && sourceFor(given).empty()) return options;
   const std::string text =
-      configurationFor(given, valuesIn(options.overrides, "source."), "", invocation, use);
+      initialFor(given, valuesIn(options.overrides, "source."), "", invocation, use).text;
   if (!invocation.quiet) {  // the comment without its first line
     const std::size_t begin = text.find('\n') + 1;
     std::cerr << text.substr(begin, text.find("\nname: ") + 1 - begin);

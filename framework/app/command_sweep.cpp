@@ -389,6 +389,15 @@ void addSweepCommands(CLI::App& sweep, Invocation& invocation) {
 
 }  // namespace
 
+ExitCode runSweep(const fs::path& file, const fs::path& out, std::size_t jobs,
+                  const Invocation& invocation) {
+  SweepCommand command;
+  command.file = file;
+  command.out.path = out;
+  command.jobs = jobs;
+  return execute(command, invocation);
+}
+
 void addSweepCommand(CLI::App& app, Invocation& invocation) {
   CLI::App& command =
       *app.add_subcommand("sweep", "Many runs from one file: grids, samples, seeds");

@@ -37,6 +37,7 @@ constexpr std::array kExamples = {
     Example{"tolman help run", "the options of a command"},
     Example{"tolman check configs/kitti.yaml --explain", "every value and where it comes from"},
     Example{"tolman init ~/recording --out mine.yaml", "a configuration for your own recording"},
+    Example{"tolman try ~/recording --out tried", "which modules are best on it"},
     Example{"tolman plugins describe bayesian_attractor", "parameters of a plugin"},
     Example{"tolman plugins doctor build/mine.so", "why is a library not loaded?"},
     Example{"tolman plugins new place my_places", "a repository with a plugin that works"},
@@ -205,10 +206,10 @@ int runProgram(const std::vector<std::string>& command_line) {
       ->check(CLI::ExistingPath);
   app.add_flag("--json", invocation.json, "Machine-readable output on stdout");
   app.add_flag("-q,--quiet", invocation.quiet, "Only errors");
-  for (const auto add :
-       {addRunCommand, addCheckCommand, addPluginsCommand, addInitCommand, addDatasetCommand,
-        addBenchCommand, addEvalCommand, addExplainCommand, addExportCommand, addReportCommand,
-        addViewCommand, addPlanCommand, addSweepCommand, addCompareCommand, addRerunCommand}) {
+  for (const auto add : {addRunCommand, addCheckCommand, addPluginsCommand, addInitCommand,
+                         addTryCommand, addDatasetCommand, addBenchCommand, addEvalCommand,
+                         addExplainCommand, addExportCommand, addReportCommand, addViewCommand,
+                         addPlanCommand, addSweepCommand, addCompareCommand, addRerunCommand}) {
     add(app, invocation);
   }
   addWordCommands(app, invocation);

@@ -105,7 +105,12 @@ void addViewCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);
 void addSweepCommand(CLI::App& app, Invocation& invocation);
 void addCompareCommand(CLI::App& app, Invocation& invocation);
+void addTryCommand(CLI::App& app, Invocation& invocation);
 void addRerunCommand(CLI::App& app, Invocation& invocation);
+
+/// Runs a sweep as `tolman sweep FILE --out OUT` does. `jobs`: at a time; 0: one per processor.
+ExitCode runSweep(const std::filesystem::path& file, const std::filesystem::path& out,
+                  std::size_t jobs, const Invocation& invocation);
 
 // Progress, on stderr, of a command that reads frames without a pipeline.
 

@@ -61,6 +61,18 @@ enum class Use : bool { Run, Copy };
 std::string initText(const std::filesystem::path& path, const Recording& recording,
                      const std::string& carrier, const std::string& stages, Use use = Use::Run);
 
+/// The configuration that `init` writes, and the file of its stages.
+struct Initial {
+  std::string text;
+  std::string stages;
+};
+/// `given`: parameters of the source. Fails (5) if the recording cannot be read.
+Initial initialFor(const std::string& path, const SourceValues& given, const std::string& carrier,
+                   const Invocation& invocation, Use use = Use::Run);
+
+/// The parameters in overrides such as "first=3", behind the prefix.
+SourceValues valuesIn(const std::vector<std::string>& overrides, const std::string& prefix);
+
 /// If `options.config` is a recording, replaces it by the configuration for it.
 engine::SystemOptions withRecording(engine::SystemOptions options, const Invocation& invocation,
                                     Use use);

@@ -306,6 +306,7 @@ Json toJson(const Metrics& metrics) {
       {"map", toJson(metrics.map)},
       {"nees", toJson(metrics.motions)},
       {"coverage", odometry && map ? Json(std::min(odometry->coverage, map->coverage)) : Json()},
+      {"returns", metrics.returns ? Json(*metrics.returns) : Json()},
       {"frames", metrics.frames},
       {"templates", metrics.templates},
       {"experiences", metrics.counts.experiences},

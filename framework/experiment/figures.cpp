@@ -10,8 +10,7 @@
 
 #include "base/must.hpp"
 #include "config/text.hpp"
-#include "evaluation/association.hpp"
-#include "record/run_reader.hpp"
+#include "experiment/ranking.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -136,36 +135,6 @@ std::string boxes(const Comparison& comparison) {
   return svg.take();
 }
 
-/// The map transformed into the coordinates of the truth.
-evaluation::Matches alignedMap(const std::filesystem::path& directory,
-                               const std::string& alignment) {
-  const auto reader = must(record::RunReader::open(directory));
-  const auto matches =
-      must(evaluation::associateByFrame(must(reader->truth()), must(reader->map())));
-  const auto kind = config::valueNamed<evaluation::Alignment>(alignment);
-  return evaluation::aligned(
-      matches, must(evaluation::align(matches, kind.value_or(evaluation::Alignment::Se3))));
-}
-
-/// Mean error in each part of the path, m; for a part without frames that of the part before.
-std::vector<double> errorsByPart(const evaluation::Matches& matches, bool planar) {
-  const auto driven = evaluation::distances(matches.truth);
-  const auto errors = evaluation::positionErrors(
-      matches, planar ? evaluation::Direction::Horizontal : evaluation::Direction::All);
-  std::vector<double> sums(kParts, 0);
-  std::vector<double> counts(kParts, 0);
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double share = driven[i] / std::max(driven.back(), 1e-9);
-    const auto part = std::min(kParts - 1, static_cast<std::size_t>(share * kParts));
-    sums[part] += errors[i];
-    counts[part] += 1;
-  }
-  for (std::size_t i = 0; i < kParts; ++i) {
-    sums[i] = counts[i] > 0 ? sums[i] / counts[i] : i > 0 ? sums[i - 1] : 0;
-  }
-  return sums;
-}
-
 /// The position error (m) of the runs over the driven path (m): mean, and quartiles as a band.
 Curve errorCurve(const Level& level, const std::string& alignment, const char* colour) {
   std::vector<std::vector<double>> parts(kParts);  // errors of the runs
@@ -173,7 +142,7 @@ Curve errorCurve(const Level& level, const std::string& alignment, const char* c
   for (const auto& directory : level.directories) {
     const auto matches = alignedMap(directory, alignment);
     length = evaluation::pathLength(matches.truth);
-    const auto errors = errorsByPart(matches, alignment == "se2");
+    const auto errors = errorsByPart(matches, kParts, alignment == "se2");
     for (std::size_t i = 0; i < kParts; ++i) parts[i].push_back(errors[i]);
   }
   Curve curve{level.label, colour, {}, {}};

@@ -27,6 +27,7 @@ using Json = nlohmann::ordered_json;
 
 void flatten(const Json& json, const std::string& path, std::map<std::string, double>& numbers) {
   if (json.is_number()) numbers[path] = json.get<double>();
+  if (json.is_boolean()) numbers[path] = json.get<bool>() ? 1 : 0;
   if (!json.is_structured()) return;
   for (const auto& [key, value] : json.items()) {
     if (path.empty() && key == "sessions") continue;
