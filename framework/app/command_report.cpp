@@ -4,8 +4,8 @@
 // them read records.
 #include <unistd.h>
 
-#include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <optional>
 
@@ -134,18 +134,8 @@ void exportRun(const ExportCommand& asked, Invocation& invocation) {
   printFiles(written, invocation);
 }
 
-/// The port in "http://127.0.0.1:8080/"; 0 where there is none.
-int portOf(std::string_view url) {
-  int port = 0;
-  const std::size_t colon = url.rfind(':');
-  if (colon != std::string_view::npos) {
-    std::from_chars(url.data() + colon + 1, url.data() + url.size(), port);
-  }
-  return port;
-}
-
 void printAddress(const std::string& url, bool hint, const Invocation& invocation) {
-  const int port = portOf(url);
+  const int port = std::atoi(url.c_str() + url.rfind(':') + 1);  // "http://127.0.0.1:8080/"
   if (invocation.json) {
     std::cout << nlohmann::ordered_json{{"url", url}, {"port", port}}.dump() << std::endl;
     return;

@@ -69,7 +69,7 @@ SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool
       ++progress.failed;
     } else {
       progress.todo.push_back(run);
-      if (!run.front_end_folder.empty() || !run.answers_folder.empty()) ++progress.sharing;
+      if (!run.needs().empty()) ++progress.sharing;
     }
   }
   if (progress.done > 0) progress.run_s = sum / static_cast<double>(progress.done);
@@ -99,8 +99,7 @@ void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
                       {"key", run.key},
                       {"folder", (out / run.folder).string()},
                       {"state", enumName(experiment::outcomeOf(out / run.folder).state)},
-                      {"answers_of",
-                       run.front_end_folder.empty() ? run.answers_folder : run.front_end_folder}});
+                      {"answers_of", run.needs()}});
     }
     std::cout << jsonText(runs);
     return;

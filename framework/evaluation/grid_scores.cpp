@@ -86,14 +86,11 @@ int nearestPeaks(const std::vector<double>& mean, int centre) {
 
 /// Whether no neighbour is higher. Neighbours that are NaN are ignored.
 bool isPeak(const Eigen::MatrixXd& r, Eigen::Index i, Eigen::Index j) {
-  if (std::isnan(r(i, j))) return false;
-  for (Eigen::Index a = std::max<Eigen::Index>(i - 1, 0); a <= std::min(i + 1, r.rows() - 1); ++a) {
-    for (Eigen::Index b = std::max<Eigen::Index>(j - 1, 0); b <= std::min(j + 1, r.cols() - 1);
-         ++b) {
-      if (r(a, b) > r(i, j)) return false;
-    }
-  }
-  return true;
+  const Eigen::Index top = std::max<Eigen::Index>(i - 1, 0);
+  const Eigen::Index left = std::max<Eigen::Index>(j - 1, 0);
+  const auto around =
+      r.block(top, left, std::min(i + 2, r.rows()) - top, std::min(j + 2, r.cols()) - left);
+  return !std::isnan(r(i, j)) && !(around.array() > r(i, j)).any();
 }
 
 /// A peak of the autocorrelogram, in bins from its centre.

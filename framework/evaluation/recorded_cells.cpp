@@ -161,44 +161,30 @@ namespace {
 /// A population vector shorter than this share of all activity is a rounding error.
 constexpr double kMinLength = 1e-6;
 
-/// Position along one axis modulo a period.
-struct Residue {
-  double value = 0;
-  double period = 1;
-};
-
-/// A place, and its squared distances to all residues, over those of their periods.
-struct Fit {
-  double place = 0;
-  double misfit = 0;
-};
-
-/// The best fit near `place`.
-Fit fitNear(double place, const std::vector<Residue>& modules) {
-  double sum = 0;
-  double weights = 0;
-  double squares = 0;
-  for (const Residue& module : modules) {
-    const double off = std::remainder(module.value - place, module.period);
-    const double weight = 1 / (module.period * module.period);
-    sum += weight * off;
-    squares += weight * off * off;
-    weights += weight;
+/// The place from `low` to `high` along one axis that fits the phases of all modules best, by their
+/// precision (1 / period^2); the lowest of equal ones.
+double bestPlace(const std::vector<ModulePhase>& modules, const std::vector<ModulePhase>& origin,
+                 Eigen::Index axis, double low, double high) {
+  double least = HUGE_VAL, best = low;
+  const auto value = [&](std::size_t i) { return modules[i].phase(axis) - origin[i].phase(axis); };
+  const auto coarse = static_cast<std::size_t>(
+      std::ranges::max_element(modules, {}, &ModulePhase::period) - modules.begin());
+  const double period = modules[coarse].period;
+  const double first = low + wrapPeriod(value(coarse) - low, period);
+  for (double place = first; place <= high || place == first; place += period) {
+    double sum = 0, weights = 0, squares = 0;
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+      const double off = std::remainder(value(i) - place, modules[i].period);
+      const double weight = 1 / (modules[i].period * modules[i].period);
+      sum += weight * off;
+      squares += weight * off * off;
+      weights += weight;
+    }
+    const double shift = sum / weights;
+    const double misfit = squares - shift * sum;
+    if (misfit < least - 1e-12) least = misfit, best = place + shift;
   }
-  const double shift = sum / weights;
-  return {place + shift, squares - shift * sum};
-}
-
-/// The place from `low` to `high` that fits all residues best; the lowest of equal ones.
-double bestPlace(const std::vector<Residue>& modules, double low, double high) {
-  const Residue& coarse = *std::ranges::max_element(modules, {}, &Residue::period);
-  const double first = low + wrapPeriod(coarse.value - low, coarse.period);
-  Fit best = fitNear(first, modules);
-  for (double place = first + coarse.period; place <= high; place += coarse.period) {
-    const Fit fit = fitNear(place, modules);
-    if (fit.misfit < best.misfit - 1e-12) best = fit;
-  }
-  return best.place;
+  return best;
 }
 
 }  // namespace
@@ -260,11 +246,7 @@ PositionDecoder::PositionDecoder(const std::vector<ModulePhase>& modules,
 Eigen::Vector2d PositionDecoder::decode(const std::vector<ModulePhase>& modules) const {
   Eigen::Vector2d place;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    std::vector<Residue> residues;
-    for (std::size_t i = 0; i < modules.size(); ++i) {
-      residues.push_back({modules[i].phase(axis) - origin_[i].phase(axis), modules[i].period});
-    }
-    place(axis) = bestPlace(residues, low_(axis), high_(axis));
+    place(axis) = bestPlace(modules, origin_, axis, low_(axis), high_(axis));
   }
   return place;
 }
@@ -386,24 +368,22 @@ void setTimes(RecordedUnits& units, const std::vector<std::int64_t>& stamps_ns, 
   constexpr double kStanding = 0.025;  // m/s
   constexpr double kAnimal = 2;        // m/s
   std::vector<Sample>& walk = units.walk;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < walk.size(); ++i) {
-    steps.push_back(1e-9 * static_cast<double>(stamps_ns[i] - stamps_ns[i - 1]));
-  }
+  const auto between = [&](std::size_t from, std::size_t to) {
+    return 1e-9 * static_cast<double>(stamps_ns[to] - stamps_ns[from]);
+  };
+  std::vector<double> steps, speeds;
+  for (std::size_t i = 1; i < walk.size(); ++i) steps.push_back(between(i - 1, i));
   if (steps.empty()) return;
   const double usual = statistics(steps).median;
-  std::vector<double> speeds;
+  const auto isJoined = [&](std::size_t k) {  // with the sample behind it
+    return k < steps.size() && steps[k] <= kLongest * usual;
+  };
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    const double step = i < steps.size() ? steps[i] : usual;
-    walk[i].seconds = step > 0 && step <= kLongest * usual ? step : usual;
-    const auto isJoined = [&](std::size_t k) {  // with the sample behind it
-      return k < steps.size() && steps[k] <= kLongest * usual;
-    };
+    walk[i].seconds = isJoined(i) && steps[i] > 0 ? steps[i] : usual;
     const std::size_t before = i > 0 && isJoined(i - 1) ? i - 1 : i;
     const std::size_t after = isJoined(i) ? i + 1 : i;
-    const double time = 1e-9 * static_cast<double>(stamps_ns[after] - stamps_ns[before]);
-    const double way = (walk[after].position - walk[before].position).norm();
-    walk[i].speed = time > 0 ? way / time : 0;
+    const double time = between(before, after);
+    walk[i].speed = time > 0 ? (walk[after].position - walk[before].position).norm() / time : 0;
     speeds.push_back(walk[i].speed);
   }
   const auto high = std::ranges::next(speeds.begin(), std::ssize(speeds) * 95 / 100);

@@ -85,15 +85,13 @@ std::string planeProblem(const Trajectory& truth) {
 }
 
 /// Whether horizontal and vertical errors may be swapped, because other turns of the estimate about
-/// its mean position fit the truth as well.
-/// - Positions leave the roll open: a quarter turn about a principal direction of the truth
-/// increases
-///   the root mean square error by less than 5 %, and turns about it move more than a tenth of the
-///   squared error into or out of the vertical.
-/// - Orientations contradict the alignment, and positions do not refute them: the turn that brings
-///   the estimated orientations nearest to the true ones, or its part about a principal direction,
-///   tilts the vertical (y) by more than 10 degrees, and leaves at most three times the error, or
-///   less than 1 % of the true path.
+/// its mean position fit the truth as well. Either positions leave the roll open: a quarter turn
+/// about a principal direction of the truth increases the root mean square error by less than 5 %,
+/// and turns about it move more than a tenth of the squared error into or out of the vertical. Or
+/// orientations contradict the alignment, and positions do not refute them: the turn that brings
+/// the estimated orientations nearest to the true ones, or its part about a principal direction,
+/// tilts the vertical (y) by more than 10 degrees, and leaves at most three times the error, or
+/// less than 1 % of the true path.
 bool rollIsOpen(const Matches& aligned) {
   const Points truth = centredPositions(aligned.truth);
   const Points estimate = centredPositions(aligned.estimate);

@@ -213,74 +213,65 @@ Columns columnsOf(const Words& entries) {
       count));
 }
 
-/// Columns by their names, as "#timestamp [ns]", "p_RS_R_x [m]", "qw", "pose.position.x".
-class NamedColumns {
- public:
-  static std::optional<Columns> of(std::string_view line) {
-    line.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
-    const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
-    const char* separators = has(',') ? ",\r" : has(';') ? ";\r" : " \t\r";  // "x [m], y [m]"
-    NamedColumns named;
-    int index = 0;
-    while (!line.empty()) {
-      const std::size_t end = std::min(line.find_first_of(separators), line.size());
-      if (end > 0) named.take(line.substr(0, end), index++);
-      line.remove_prefix(std::min(end + 1, line.size()));
-    }
-    Columns& columns = named.columns_;
-    if (!columns.hasPosition()) return std::nullopt;
-    columns.format = fmt::format("{} columns, as its first line names", index);
-    columns.count = index;
-    if (!columns.hasQuaternion()) columns.quaternion = {-1, -1, -1, -1};
-    return columns;
-  }
+int digitsOf(std::string_view given, const std::string& name) {
+  const auto is = [&](const char* unit) {
+    return given.find(fmt::format("[{}]", unit)) != std::string_view::npos ||
+           name.ends_with(fmt::format("_{}", unit));
+  };
+  return is("ns") ? 0 : is("us") ? 3 : is("ms") ? 6 : 9;
+}
 
- private:
-  void take(std::string_view given, int index) {
-    std::string name;
-    for (const char c : given.substr(0, given.find('['))) {
-      if (std::isspace(static_cast<unsigned char>(c)) == 0 && c != '"') {
-        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      }
-    }
-    const auto has = [&](std::string_view part) { return name.find(part) != std::string::npos; };
-    if (name.empty() || has("vel") || has("twist") || has("cov") || has("acc") || has("bias"))
-      return;
-    constexpr std::array<std::string_view, 5> kFrames = {"frame", "frame_index", "frame_number",
-                                                         "index", "image"};
-    if (std::ranges::find(kFrames, name) != kFrames.end()) return set(columns_.frame, index);
-    if (name == "t" || has("time") || has("stamp") || name.starts_with("sec")) {
-      if (columns_.stamp < 0) columns_.stamp_digits = digitsOf(given, name);
-      return set(columns_.stamp, index);
-    }
-    const std::size_t axis = std::string_view("xyzw").find(name.back());
-    if (axis == std::string_view::npos) return;
-    const std::string stem = name.substr(0, name.size() - 1);
-    if (stem.starts_with("q") || stem.find("orient") != std::string::npos ||
-        stem.find("rot") != std::string::npos) {
-      return set(columns_.quaternion[axis], index);
-    }
-    const bool is_position = stem.empty() || stem == "t" || stem == "p" || stem == "t_" ||
-                             stem.starts_with("p_") || stem.starts_with("trans") ||
-                             stem.find("pos") != std::string::npos;
-    if (is_position && axis < 3) set(columns_.position[axis], index);
-  }
-
-  /// The first column of a kind counts.
-  static void set(int& column, int index) {
+/// Takes the column of this name, of each kind the first.
+void take(Columns& columns, std::string_view given, int index) {
+  const auto set = [&](int& column) {
     if (column < 0) column = index;
+  };
+  std::string name;
+  for (const char c : given.substr(0, given.find('['))) {
+    if (std::isspace(static_cast<unsigned char>(c)) == 0 && c != '"') {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
   }
-
-  static int digitsOf(std::string_view given, const std::string& name) {
-    const auto is = [&](const char* unit) {
-      return given.find(fmt::format("[{}]", unit)) != std::string_view::npos ||
-             name.ends_with(fmt::format("_{}", unit));
-    };
-    return is("ns") ? 0 : is("us") ? 3 : is("ms") ? 6 : 9;
+  const auto has = [&](std::string_view part) { return name.find(part) != std::string::npos; };
+  if (name.empty() || has("vel") || has("twist") || has("cov") || has("acc") || has("bias")) return;
+  constexpr std::array<std::string_view, 5> kFrames = {"frame", "frame_index", "frame_number",
+                                                       "index", "image"};
+  if (std::ranges::find(kFrames, name) != kFrames.end()) return set(columns.frame);
+  if (name == "t" || has("time") || has("stamp") || name.starts_with("sec")) {
+    if (columns.stamp < 0) columns.stamp_digits = digitsOf(given, name);
+    return set(columns.stamp);
   }
+  const std::size_t axis = std::string_view("xyzw").find(name.back());
+  if (axis == std::string_view::npos) return;
+  const std::string stem = name.substr(0, name.size() - 1);
+  if (stem.starts_with("q") || stem.find("orient") != std::string::npos ||
+      stem.find("rot") != std::string::npos) {
+    return set(columns.quaternion[axis]);
+  }
+  const bool is_position = stem.empty() || stem == "t" || stem == "p" || stem == "t_" ||
+                           stem.starts_with("p_") || stem.starts_with("trans") ||
+                           stem.find("pos") != std::string::npos;
+  if (is_position && axis < 3) set(columns.position[axis]);
+}
 
-  Columns columns_;
-};
+/// Columns by their names, as "#timestamp [ns]", "p_RS_R_x [m]", "qw", "pose.position.x".
+std::optional<Columns> namedColumns(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
+  const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
+  const char* separators = has(',') ? ",\r" : has(';') ? ";\r" : " \t\r";  // "x [m], y [m]"
+  Columns columns;
+  int index = 0;
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find_first_of(separators), line.size());
+    if (end > 0) take(columns, line.substr(0, end), index++);
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  if (!columns.hasPosition()) return std::nullopt;
+  columns.format = fmt::format("{} columns, as its first line names", index);
+  columns.count = index;
+  if (!columns.hasQuaternion()) columns.quaternion = {-1, -1, -1, -1};
+  return columns;
+}
 
 bool beginsWithNumber(std::string_view line) {
   const Words words = wordsOf(line);
@@ -359,7 +350,7 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_wri
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
     try {
       if (!columns && !beginsWithNumber(line)) {
-        const auto named = NamedColumns::of(line);
+        const auto named = namedColumns(line);
         const bool is_comment = line.find_first_not_of(" \t") == line.find('#');
         if (named) (is_comment ? comment : columns) = named;
         if (named || is_comment) continue;

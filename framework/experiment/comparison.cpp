@@ -72,14 +72,10 @@ void chooseMetric(std::vector<RunRow>& rows, const std::string& wanted, Comparis
 
 /// Sorts by number if all first labels are numbers.
 void sortLevels(Names& labels) {
-  const auto number = [](const std::string& label) -> std::optional<double> {
-    char* end = nullptr;
-    const double value = std::strtod(label.c_str(), &end);
-    const bool is_number = end != label.c_str() && (*end == '\0' || *end == ',');
-    return is_number ? std::optional(value) : std::nullopt;
-  };
-  if (!std::ranges::all_of(labels, [&](const auto& l) { return number(l).has_value(); })) return;
-  std::ranges::stable_sort(labels, {}, [&](const auto& l) { return *number(l); });
+  if (!std::ranges::all_of(labels, [](const auto& l) { return leadingNumber(l).has_value(); })) {
+    return;
+  }
+  std::ranges::stable_sort(labels, {}, [](const auto& l) { return leadingNumber(l)->first; });
 }
 
 class Comparer {
@@ -274,58 +270,43 @@ class Comparer {
 
 using Json = Table::Json;
 
-Json lowOf(const std::optional<Interval>& range) { return range ? Json(range->low) : Json(); }
-Json highOf(const std::optional<Interval>& range) { return range ? Json(range->high) : Json(); }
-
-/// As the keys of tableOf().
-std::vector<Json> valuesOf(const Level& level) {
+/// The row of a level, for readers and by the keys of tableOf().
+void addLevel(const Level& level, Table& table) {
   const evaluation::Statistics& s = level.summary;
-  std::vector<Json> values = {level.label,
-                              s.count,
-                              s.mean,
-                              lowOf(level.interval),
-                              highOf(level.interval),
-                              s.median,
-                              s.count > 1 ? Json(s.deviation) : Json(),
-                              s.min,
-                              s.max};
-  const PairedDifference none;
-  const PairedDifference& d = level.difference ? *level.difference : none;
-  for (const Json& value :
-       {level.difference ? Json(d.pairs) : Json(), d.pairs > 0 ? Json(d.mean) : Json(),
-        lowOf(d.interval), highOf(d.interval), d.test ? Json(d.test->p) : Json(),
-        d.test ? Json(d.test->effect) : Json()}) {
-    values.push_back(value);
-  }
-  return values;
-}
-
-/// The columns for readers, from valuesOf().
-std::vector<std::string> textsOf(const std::vector<Json>& values) {
-  const auto number = [&](std::size_t i, const char* format, const char* none) {
-    return values[i].is_null() ? std::string(none)
-                               : fmt::format(fmt::runtime(format), values[i].get<double>());
+  const PairedDifference d = level.difference.value_or(PairedDifference{});
+  const auto lowOf = [](const auto& range) { return range ? Json(range->low) : Json(); };
+  const auto highOf = [](const auto& range) { return range ? Json(range->high) : Json(); };
+  table.values.push_back(
+      {level.label, s.count, s.mean, lowOf(level.interval), highOf(level.interval), s.median,
+       s.count > 1 ? Json(s.deviation) : Json(), s.min, s.max,
+       level.difference ? Json(d.pairs) : Json(), d.pairs > 0 ? Json(d.mean) : Json(),
+       lowOf(d.interval), highOf(d.interval), d.test ? Json(d.test->p) : Json(),
+       d.test ? Json(d.test->effect) : Json()});
+  const auto text = [](const char* format, double value) {
+    return fmt::format(fmt::runtime(format), value);
   };
-  const auto range = [&](std::size_t low) {
-    return values[low].is_null()
-               ? "not enough runs"
-               : number(low, "{:.4g}", "") + " to " + number(low + 1, "{:.4g}", "");
+  const auto range = [](const std::optional<Interval>& of) {
+    return of ? fmt::format("{:.4g} to {:.4g}", of->low, of->high) : "not enough runs";
   };
-  const bool is_baseline = values[9].is_null(), has_pairs = !values[10].is_null();
-  const bool is_small = !values[13].is_null() && values[13].get<double>() < 0.001;
-  return {values[0].get<std::string>(),
-          number(1, "{:g}", ""),
-          number(2, "{:.4g}", ""),
-          range(3),
-          number(5, "{:.4g}", ""),
-          number(6, "{:.4g}", "-"),
-          number(10, "{:+.4g}", is_baseline ? "baseline" : "no pairs"),
-          has_pairs ? range(11) : "",
-          number(13, is_small ? "{:.1e}" : "{:.3f}", ""),
-          number(14, "{:+.2f}", "")};
+  table.rows.push_back({level.label, fmt::format("{}", s.count), text("{:.4g}", s.mean),
+                        range(level.interval), text("{:.4g}", s.median),
+                        s.count > 1 ? text("{:.4g}", s.deviation) : "-",
+                        !level.difference ? "baseline"
+                        : d.pairs == 0    ? "no pairs"
+                                          : text("{:+.4g}", d.mean),
+                        d.pairs > 0 ? range(d.interval) : "",
+                        d.test ? text(d.test->p < 0.001 ? "{:.1e}" : "{:.3f}", d.test->p) : "",
+                        d.test ? text("{:+.2f}", d.test->effect) : ""});
 }
 
 }  // namespace
+
+std::optional<std::pair<double, std::string>> leadingNumber(const std::string& label) {
+  char* end = nullptr;
+  const double value = std::strtod(label.c_str(), &end);
+  if (end == label.c_str() || (*end != '\0' && *end != ',')) return std::nullopt;
+  return std::pair(value, std::string(*end == ',' ? end + 2 : ""));
+}
 
 bool hasLabels(const RunRow& row, const Labels& only) {
   return std::ranges::all_of(only, [&](const auto& asked) {
@@ -382,10 +363,7 @@ Table tableOf(const Comparison& comparison) {
   table.keys = {by,      "runs", "mean",  "mean_low",   "mean_high",      "median",          "sd",
                 "min",   "max",  "pairs", "difference", "difference_low", "difference_high", "p",
                 "effect"};
-  for (const Level& level : comparison.levels) {
-    table.values.push_back(valuesOf(level));
-    table.rows.push_back(textsOf(table.values.back()));
-  }
+  for (const Level& level : comparison.levels) addLevel(level, table);
   table.about = {{"metric", comparison.metric},
                  {"by", comparison.by},
                  {"baseline", comparison.baseline},

@@ -121,6 +121,9 @@ struct Comparison {
 
 inline constexpr std::size_t kMinSeeds = 3;
 
+/// "75, small" is 75 and "small"; none where the first label is no number.
+std::optional<std::pair<double, std::string>> leadingNumber(const std::string& label);
+
 /// InvalidParameter for unknown names; InvalidInput for runs that must not be averaged.
 Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options);
 

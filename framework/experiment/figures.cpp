@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -28,10 +27,9 @@ constexpr std::size_t kParts = 100;     // equal parts of the path
 Curves linesOf(const Comparison& comparison) {
   std::map<std::string, std::map<double, const Level*>> lines;
   for (const Level& level : comparison.levels) {
-    char* end = nullptr;
-    const double x = std::strtod(level.label.c_str(), &end);
-    if (end == level.label.c_str() || (*end != '\0' && *end != ',')) return {};
-    lines[*end == ',' ? end + 2 : ""][x] = &level;
+    const auto number = leadingNumber(level.label);
+    if (!number) return {};
+    lines[number->second][number->first] = &level;
   }
   Curves curves;
   for (const auto& [name, levels] : lines) {

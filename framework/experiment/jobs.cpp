@@ -70,8 +70,7 @@ class Jobs {
   void startReady() {
     for (auto next = todo_.begin(); next != todo_.end() && running_.size() < options_.jobs;) {
       const PlannedRun& run = **next;
-      const bool waits =
-          waiting_.contains(run.front_end_folder) || waiting_.contains(run.answers_folder);
+      const bool waits = waiting_.contains(run.needs());
       next = waits ? next + 1 : todo_.erase(next);
       if (!waits) start(run);
     }
@@ -183,20 +182,14 @@ Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::st
                                             const FindConfig& find_config) {
   std::string words;
   for (const std::string& word : command) words += (words.empty() ? "" : " ") + shellWord(word);
-  const auto is_to_do = [&](const std::string& folder) {
-    return !folder.empty() && std::ranges::find(runs, folder, &PlannedRun::folder) != runs.end();
-  };
   std::array<std::string, 2> folders, commands;  // those of the second list after the first
   std::string takes;                             // what each run waits for
   for (const PlannedRun& run : runs) {
-    const bool waits = is_to_do(run.front_end_folder) || is_to_do(run.answers_folder);
+    const bool waits = std::ranges::find(runs, run.needs(), &PlannedRun::folder) != runs.end();
     const std::string folder = (sweep / run.folder).string();
     folders.at(waits ? 1 : 0) += folder + "\n";
     commands.at(waits ? 1 : 0) += words + " " + shellWord(folder) + "\n";
-    takes += fmt::format("    \"{}\": \"{}\",\n", run.folder,
-                         !waits                         ? ""
-                         : run.front_end_folder.empty() ? run.answers_folder
-                                                        : run.front_end_folder);
+    takes += fmt::format("    \"{}\": \"{}\",\n", run.folder, waits ? run.needs() : "");
     std::error_code ignored;
     if (kind == "snakemake") fs::remove(folder + "/ended", ignored);  // of an earlier attempt
   }

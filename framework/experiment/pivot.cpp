@@ -12,58 +12,43 @@
 namespace tolman::experiment {
 namespace {
 
-/// Text, then a metric; the last part has no metric.
-struct CellPart {
-  std::string text{};
-  std::string metric{};
-  std::string format{};  ///< "{:.2f}"
-};
-
 [[noreturn]] void refuseCell(const std::string& what, const std::string& why) {
   throw Refused{Status::invalidParameter("'" + what + "': " + why)};
 }
 
-std::vector<CellPart> partsOf(const std::string& cell) {
-  std::vector<CellPart> parts(1);
+/// The text of a cell. `valueOf` gives that of a metric in braces, with a format such as "{:.2f}".
+template <class ValueOf>
+std::string filled(const std::string& cell, ValueOf&& valueOf) {
+  std::string text;
   for (std::size_t i = 0; i < cell.size(); ++i) {
     if (cell[i] != '{') {
-      parts.back().text += cell[i];
+      text += cell[i];
       continue;
     }
     const auto end = cell.find('}', i);
     if (end == std::string::npos) refuseCell(cell, "'}' is missing");
     const std::string field = cell.substr(i + 1, end - i - 1);
     const auto colon = std::min(field.find(':'), field.size());
-    parts.back().metric = field.substr(0, colon);
-    parts.back().format = "{" + field.substr(colon) + "}";
-    parts.emplace_back();
+    text += valueOf(field.substr(0, colon), "{" + field.substr(colon) + "}");
     i = end;
   }
-  return parts;
+  return text;
 }
 
-/// The text of a cell, with means over its runs; a dash for a metric that one of them lacks.
-std::string filled(const std::vector<CellPart>& parts, const RunPointers& runs) {
-  std::string text;
-  for (const CellPart& part : parts) {
-    text += part.text;
-    if (part.metric.empty()) continue;
-    double sum = 0;
-    const bool is_known = std::ranges::all_of(runs, [&](const RunRow* run) {
-      const auto found = run->metrics.find(part.metric);
-      if (found == run->metrics.end()) return false;
-      sum += found->second;
-      return true;
-    });
-    try {
-      text += is_known
-                  ? fmt::format(fmt::runtime(part.format), sum / static_cast<double>(runs.size()))
-                  : "-";
-    } catch (const fmt::format_error& error) {
-      refuseCell(part.format, error.what());
-    }
+/// The mean of a metric; a dash where one of the runs lacks it.
+std::string meanText(const std::string& metric, const std::string& format,
+                     const RunPointers& runs) {
+  double sum = 0;
+  for (const RunRow* run : runs) {
+    const auto found = run->metrics.find(metric);
+    if (found == run->metrics.end()) return "-";
+    sum += found->second;
   }
-  return text;
+  try {
+    return fmt::format(fmt::runtime(format), sum / static_cast<double>(runs.size()));
+  } catch (const fmt::format_error& error) {
+    refuseCell(format, error.what());
+  }
 }
 
 class Pivot {
@@ -129,21 +114,22 @@ class Pivot {
 
   /// Empty if there are no such runs.
   std::string cellOf(const Row& row, const Column& column) const {
-    const auto parts = partsOf(row.cell.empty() ? column.cell : row.cell);
+    const std::string& cell = row.cell.empty() ? column.cell : row.cell;
     Names metrics;
-    for (const CellPart& part : parts) {
-      if (part.metric.empty()) continue;
-      metrics.push_back(part.metric);
-      const auto has = [&](const RunRow& run) { return run.metrics.contains(part.metric); };
+    (void)filled(cell, [&](const std::string& metric, const std::string&) {
+      const auto has = [&](const RunRow& run) { return run.metrics.contains(metric); };
       if (std::ranges::none_of(runs_, has)) {
-        must(Status::invalidParameter("no run has the metric '" + part.metric + "'"));
+        must(Status::invalidParameter("no run has the metric '" + metric + "'"));
       }
-    }
+      return metrics.emplace_back(metric);
+    });
     const auto runs = cells_.find({row.level, column.label});
     if (runs == cells_.end()) return "";
     refuseOtherKinds(runs->second);
     refuseMixtures(runs->second, metrics, options_.mixed_coverage);
-    return filled(parts, runs->second);
+    return filled(cell, [&](const std::string& metric, const std::string& format) {
+      return meanText(metric, format, runs->second);
+    });
   }
 
   /// The runs of a cell may differ only in factors over which it is a mean.

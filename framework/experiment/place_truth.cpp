@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/bounded_json.hpp"
+#include "base/must.hpp"
 #include "base/text_file.hpp"
 #include "config/values.hpp"
 #include "experiment/bench.hpp"
@@ -49,38 +50,38 @@ PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t toleran
 }
 
 Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file, std::int64_t near) {
-  const Result<std::string> text = text_encoding::readText(file);
-  if (!text.isOk()) return text.status();
-  auto pairs = std::make_shared<Pairs>();
-  std::size_t number = 0;
-  for (const std::vector<std::string>& line : csvRows(text.value())) {
-    if (++number == 1 && line == std::vector<std::string>{"query", "match"}) continue;
-    const auto bad = [&](const std::string& why) {
-      return Status::invalidInput(file.string() + ":" + std::to_string(number) + ": " + why);
+  return resultOf([&] {
+    const auto pairs = std::make_shared<Pairs>();
+    std::size_t number = 0;
+    const auto refuse = [&](const std::string& why) {
+      must(Status::invalidInput(file.string() + ":" + std::to_string(number) + ": " + why));
     };
-    std::vector<std::int64_t> images;
-    for (const std::string& field : line) {
-      const auto image = config::readInteger(field);
-      if (image.isOk() && image.value() >= 0) images.push_back(image.value());
+    for (const std::vector<std::string>& line : csvRows(must(text_encoding::readText(file)))) {
+      if (++number == 1 && line == std::vector<std::string>{"query", "match"}) continue;
+      std::vector<std::int64_t> images;
+      for (const std::string& field : line) {
+        const auto image = config::readInteger(field);
+        if (image.isOk() && image.value() >= 0) images.push_back(image.value());
+      }
+      if (line.size() != 2 || images.size() != 2) {
+        refuse("a pair is two numbers of images, 'query,match'");
+      }
+      if (images[1] >= images[0]) refuse("the match must be an earlier image than the query");
+      pairs->emplace(images[0], images[1]);
     }
-    if (line.size() != 2 || images.size() != 2) {
-      return bad("a pair is two numbers of images, 'query,match'");
+    if (pairs->empty()) {
+      must(Status::invalidInput(file.string() + ": lists no pairs; each line is 'query,match'"));
     }
-    if (images[1] >= images[0]) return bad("the match must be an earlier image than the query");
-    pairs->emplace(images[0], images[1]);
-  }
-  if (pairs->empty()) {
-    return Status::invalidInput(file.string() + ": lists no pairs; each line is 'query,match'");
-  }
-  return PlaceTruth{[pairs](std::int64_t query, std::int64_t place) {
-                      return pairs->contains({query, place});
-                    },
-                    [pairs, near](std::int64_t query) {
-                      const auto earliest = pairs->lower_bound({query, INT64_MIN});
-                      return earliest != pairs->end() && earliest->first == query &&
-                             query - earliest->second > near;
-                    },
-                    pairs->rbegin()->first};
+    return PlaceTruth{[pairs](std::int64_t query, std::int64_t place) {
+                        return pairs->contains({query, place});
+                      },
+                      [pairs, near](std::int64_t query) {
+                        const auto earliest = pairs->lower_bound({query, INT64_MIN});
+                        return earliest != pairs->end() && earliest->first == query &&
+                               query - earliest->second > near;
+                      },
+                      pairs->rbegin()->first};
+  });
 }
 
 PlaceTruth truthOfPoses(const Trajectory& truth, double height_m, std::int64_t near) {

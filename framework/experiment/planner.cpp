@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/loader.hpp"
+#include "config/text.hpp"
 #include "engine/checked_system.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "record/digest.hpp"
@@ -32,12 +33,12 @@ std::string frontEndPart(const std::string& yaml) {
 
 std::string folderName(const std::string& name, const std::string& key) {
   constexpr std::size_t kLongest = 80;
-  std::string folder;
-  for (const char c : name.substr(0, kLongest)) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("=,+_-").find(c) != std::string_view::npos ||
-                       (c == '.' && !folder.empty());
-    folder += plain ? c : '_';
+  std::string folder = name.substr(0, kLongest);
+  for (char& c : folder) {
+    const bool is_plain = config::isLetter(c) || config::isDigit(c) ||
+                          std::string_view("=,+_-").find(c) != std::string_view::npos ||
+                          (c == '.' && &c != folder.data());
+    if (!is_plain) c = '_';
   }
   return folder + "-" + key.substr(0, 10);
 }

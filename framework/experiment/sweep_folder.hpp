@@ -48,6 +48,11 @@ struct PlannedRun {
   std::string answers_folder;  ///< folder of a run with the same front end, whose answers it takes
   bool keeps_answers = false;  ///< for other runs, which replay them
   bool is_front_end = false;
+
+  /// The folder of the run that must end before it; empty for none.
+  const std::string& needs() const {
+    return front_end_folder.empty() ? answers_folder : front_end_folder;
+  }
 };
 
 /// The frozen runs of a sweep's folder.

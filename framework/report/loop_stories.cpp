@@ -20,36 +20,11 @@ constexpr double kNearShare = 0.01;  // hypotheses that stay below were never ne
 
 std::string number(double value) { return fmt::format("{:.3g}", value); }
 
-std::map<std::int64_t, HypothesisLife> livesOf(const std::vector<Decision>& decisions) {
-  std::map<std::int64_t, HypothesisLife> lives;
-  for (const Decision& decision : decisions) {
-    for (const PlaceHypothesis& change : decision.hypotheses) {
-      HypothesisLife& life = lives[change.id];
-      const bool by_view = change.fate <= Fate::Accepted;
-      if (life.id < 0) {
-        life.id = change.id;
-        life.first_frame = decision.frame;
-        life.best = change;
-      }
-      const std::int64_t experience =
-          change.experience >= 0 ? change.experience : life.end.experience;
-      life.end = change;
-      life.end.experience = experience;
-      if (by_view) life.last_view_frame = decision.frame;
-      if (change.share >= life.best.share) life.best = life.end;
-      if (change.fate >= Fate::Accepted) life.end_frame = decision.frame;
-    }
-  }
-  return lives;
-}
-
 /// Finds what belongs to a frame.
 class Stories {
  public:
   explicit Stories(const LoopRecord& record)
-      : record_(record),
-        lives_(livesOf(record.decisions)),
-        learned_(evaluation::framesOfTemplates(record.places)) {
+      : record_(record), learned_(evaluation::framesOfTemplates(record.places)) {
     for (const PlaceObservation& place : record.places) places_[place.frame] = &place;
     const std::vector<double> driven = evaluation::distances(record.odometry);
     for (std::size_t i = 0; i < driven.size(); ++i) driven_[record.odometry[i].frame] = driven[i];
@@ -57,7 +32,7 @@ class Stories {
         record.in_metres || driven.empty() ? kJustDriven : kJustDrivenShare * driven.back();
     for (const Decision& decision : record.decisions) {
       for (const PlaceHypothesis& change : decision.hypotheses) {
-        if (change.fate <= Fate::Accepted) supported_.try_emplace(decision.frame, change.id);
+        follow(decision.frame, change);
       }
     }
   }
@@ -122,6 +97,23 @@ class Stories {
   }
 
  private:
+  void follow(std::int64_t frame, const PlaceHypothesis& change) {
+    HypothesisLife& life = lives_[change.id];
+    if (life.id < 0) {
+      life.id = change.id;
+      life.first_frame = frame;
+      life.best = change;
+    }
+    const std::int64_t experience =
+        change.experience >= 0 ? change.experience : life.end.experience;
+    life.end = change;
+    life.end.experience = experience;
+    if (change.share >= life.best.share) life.best = life.end;
+    if (change.fate >= Fate::Accepted) life.end_frame = frame;
+    if (change.fate > Fate::Accepted) return;  // not by a view
+    life.last_view_frame = frame;
+    supported_.try_emplace(frame, change.id);
+  }
   static bool isNear(const Candidate& candidate) {
     return candidate.compared >= 0 || candidate.score <= 1.5 * candidate.limit;
   }

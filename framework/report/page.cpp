@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
 #include <iterator>
 #include <optional>
 
+#include "base/text_file.hpp"
 #include "record/run_directory.hpp"
 #include "report/figures.hpp"
 #include "report/svg.hpp"
@@ -57,11 +57,6 @@ std::string style() {
   replace(kPaleBlue, "#1d3d54");
   replace(kBlue, "#56b4e9");  // the lighter blue of the same palette
   return kStyle + ("@media (prefers-color-scheme: dark) {\n" + dark + "}\n");
-}
-
-std::string textOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// All figures for which the run has data.
@@ -368,12 +363,13 @@ Result<RunPage> makePage(const std::filesystem::path& directory, RunData data,
     return Status(drawn.status().code(),
                   directory.filename().string() + ": " + drawn.status().message());
   }
+  const auto config = text_encoding::readText(directory / "config.resolved.yaml");
   RunPage page{{},
                directory.filename().string(),
                figuresOf(data, drawn.value()),
                neuronsJson(data, drawn.value()),
                record::RunDirectory::readRunFile(directory),
-               textOf(directory / "config.resolved.yaml"),
+               config.isOk() ? config.value() : "",
                record::RunDirectory::wasKilled(directory)};
   page.data = std::move(data);
   page.data.cells = {};  // large, and drawn already

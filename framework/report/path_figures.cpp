@@ -32,40 +32,44 @@ class PlanView {
   explicit PlanView(const std::vector<MapPicture>& pictures) {
     for (const MapPicture& picture : pictures) {
       for (const auto* line : {&picture.truth, &picture.odometry, &picture.map}) {
-        for (const auto& pose : *line) box_.extend(inPlane(pose.T_world_camera.translation()));
+        for (const auto& pose : *line) {
+          const Eigen::Vector3d at = pose.T_world_camera.translation();
+          box_.extend(Eigen::Vector2d(at.x(), at.z()));
+        }
       }
     }
     if (box_.isEmpty()) box_.extend(Eigen::Vector2d::Zero());
     const double margin = std::max(0.03 * box_.sizes().maxCoeff(), 0.5);
     box_ = {box_.min().array() - margin, box_.max().array() + margin};
     lying_ = box_.sizes().y() > 2 * box_.sizes().x();
+    if (!lying_) return;
+    box_ = {Eigen::Vector2d(box_.min().y(), -box_.max().x()),
+            Eigen::Vector2d(box_.max().y(), -box_.min().x())};
   }
 
   /// Size of the frame, px, if its longer side is `side`.
   Eigen::Vector2d pixels(double side) const {
-    const Eigen::Vector2d lengths(rangeX().length(), rangeY().length());
-    return lengths * side / lengths.maxCoeff();
+    return box_.sizes() * side / box_.sizes().maxCoeff();
   }
   AxesPlan plan(const MapPicture& picture, const std::string& title,
                 const Eigen::AlignedBox2d& place) const {
-    const std::string ahead = "ahead of the start (" + picture.unit + ")";
-    const std::string right = "right of the start (" + picture.unit + ")";
-    const std::string left = "left of the start (" + picture.unit + ")";
-    return {title, lying_ ? ahead : right, lying_ ? left : ahead, rangeX(), rangeY(), place, true};
+    const auto label = [&](const char* side) {
+      return fmt::format("{} of the start ({})", side, picture.unit);
+    };
+    return {title,
+            label(lying_ ? "ahead" : "right"),
+            label(lying_ ? "left" : "ahead"),
+            {box_.min().x(), box_.max().x()},
+            {box_.min().y(), box_.max().y()},
+            place,
+            true};
   }
   Eigen::Vector2d at(const Axes& axes, const Eigen::Vector3d& p) const {
     return lying_ ? axes.at(p.z(), -p.x()) : axes.at(p.x(), p.z());
   }
 
  private:
-  static Eigen::Vector2d inPlane(const Eigen::Vector3d& p) { return {p.x(), p.z()}; }
-  Range rangeX() const {
-    return lying_ ? Range{box_.min().y(), box_.max().y()} : Range{box_.min().x(), box_.max().x()};
-  }
-  Range rangeY() const {
-    return lying_ ? Range{-box_.max().x(), -box_.min().x()} : Range{box_.min().y(), box_.max().y()};
-  }
-  Eigen::AlignedBox2d box_;  ///< right and ahead, m
+  Eigen::AlignedBox2d box_;  ///< of the axes, m
   bool lying_ = false;
 };
 

@@ -101,12 +101,11 @@ evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std
   return errors.result();
 }
 
-/// Every n-th pose of a long trajectory: what is read wrongly or broken shows in them as in all.
-evaluation::Trajectory sampled(const evaluation::Trajectory& poses) {
-  constexpr std::size_t kEnough = 20'000;
-  const std::size_t step = 1 + poses.size() / kEnough;
+/// Every n-th pose of a long trajectory, which bounds the time.
+evaluation::Trajectory sampled(const evaluation::Trajectory& poses, std::size_t enough) {
   evaluation::Trajectory some;
-  for (std::size_t i = 0; i < poses.size(); i += step) some.push_back(poses[i]);
+  for (std::size_t i = 0; i < poses.size(); i += 1 + poses.size() / enough)
+    some.push_back(poses[i]);
   return some;
 }
 
@@ -114,7 +113,9 @@ evaluation::TrajectoryMetrics scored(const evaluation::Trajectory& truth,
                                      const evaluation::Trajectory& estimate, Alignment alignment,
                                      const std::optional<evaluation::SegmentLengths>& lengths) {
   evaluation::TrajectoryMetrics metrics = evaluation::score(truth, estimate, {alignment, lengths});
-  metrics.warning = evaluation::doubtText(evaluation::doubts(truth, sampled(estimate), alignment));
+  constexpr std::size_t kEnough = 20'000;  // what is read wrongly or broken shows in them as in all
+  metrics.warning =
+      evaluation::doubtText(evaluation::doubts(truth, sampled(estimate, kEnough), alignment));
   return metrics;
 }
 
@@ -158,11 +159,7 @@ void warnOfScales(const record::RunReader& reader, std::int64_t own, evaluation:
 
 /// Whether the truth comes back to a place: nearer than 5 m after 20 m, or less on short paths.
 bool returnsToPlace(const evaluation::Trajectory& truth) {
-  constexpr std::size_t kMost = 2000;  // poses; bounds the time
-  evaluation::Trajectory thinned;
-  for (std::size_t i = 0; i < truth.size(); i += 1 + truth.size() / kMost) {
-    thinned.push_back(truth[i]);
-  }
+  const evaluation::Trajectory thinned = sampled(truth, 2000);
   const double path = evaluation::pathLength(thinned);
   const evaluation::RevisitRule rule{std::min(5.0, 0.05 * path), std::min(20.0, 0.2 * path)};
   return !evaluation::findRevisits(thinned, rule).empty();

@@ -209,7 +209,10 @@ std::string drawn(const std::string& svg, double zoom, bool as_pdf) {
         rsvg_handle_render_document(handle.get(), context.get(), &whole, &error) != 0;
     check(is_done, error);
   }
-  if (!as_pdf) cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+  const cairo_status_t written =
+      as_pdf ? CAIRO_STATUS_SUCCESS
+             : cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+  check(written == CAIRO_STATUS_SUCCESS, nullptr);
   cairo_surface_finish(surface.get());
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
     refuse(cairo_status_to_string(cairo_surface_status(surface.get())));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "base/must.hpp"
 #include "report/figures.hpp"
 
 namespace tolman::report {
@@ -67,20 +68,17 @@ DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
   return drawn;
 }
 
-Status checkChoice(const evaluation::CellHistory& cells, const UnitChoice& choice) {
-  std::string refusal;
+void checkChoice(const evaluation::CellHistory& cells, const UnitChoice& choice) {
   const std::size_t directions = sizeOf(cells.rings, 0);
   if (choice.head_direction > 0 && choice.head_direction >= directions) {
-    refusal = fmt::format("there is no head direction unit {}: this run has {}",
-                          choice.head_direction + 1, directions);
+    must(Status::invalidParameter(fmt::format("there is no head direction unit {}: this run has {}",
+                                              choice.head_direction + 1, directions)));
   }
-  const std::size_t rows = sizeOf(cells.sheets, 0);
-  const std::size_t columns = sizeOf(cells.sheets, 1);
+  const std::size_t rows = sizeOf(cells.sheets, 0), columns = sizeOf(cells.sheets, 1);
   if (choice.row + choice.column > 0 && (choice.row >= rows || choice.column >= columns)) {
-    refusal = fmt::format("there is no grid unit {},{}: this run has {} by {}", choice.row + 1,
-                          choice.column + 1, rows, columns);
+    must(Status::invalidParameter(fmt::format("there is no grid unit {},{}: this run has {} by {}",
+                                              choice.row + 1, choice.column + 1, rows, columns)));
   }
-  return refusal.empty() ? Status::ok() : Status(StatusCode::InvalidParameter, refusal);
 }
 
 /// What describes a unit of a ring, or of a sheet.
@@ -122,20 +120,20 @@ Json unitsJson(const std::vector<PopulationHistory>& populations,
 }  // namespace
 
 Result<std::vector<DrawnUnit>> drawnUnits(const RunData& run, const UnitChoice& choice) {
-  const Status possible = checkChoice(run.cells, choice);
-  if (!possible.isOk()) return possible;
-  std::vector<DrawnUnit> units;
-  const auto poses = evaluation::stampedPosesOf(run.places());
-  if (poses.empty()) return units;
-  if (!run.cells.rings.empty()) {
-    const std::size_t size = sizeOf(run.cells.rings, 0);
-    for (const std::size_t turn : {std::size_t{0}, size / 2}) {
-      const std::size_t unit = (choice.head_direction + turn) % size;
+  return resultOf([&] {
+    checkChoice(run.cells, choice);
+    std::vector<DrawnUnit> units;
+    const auto poses = evaluation::stampedPosesOf(run.places());
+    const std::size_t size = poses.empty() ? 0 : sizeOf(run.cells.rings, 0);
+    for (std::size_t turn = 0; turn < std::min<std::size_t>(size, 2); ++turn) {
+      const std::size_t unit = (choice.head_direction + turn * (size / 2)) % size;
       units.push_back(headDirectionUnit(run, unit, poses));
     }
-  }
-  if (!run.cells.sheets.empty()) units.push_back(gridUnit(run, choice, poses));
-  return units;
+    if (!poses.empty() && !run.cells.sheets.empty()) {
+      units.push_back(gridUnit(run, choice, poses));
+    }
+    return units;
+  });
 }
 
 Json neuronsJson(const RunData& run, const std::vector<DrawnUnit>& drawn) {
