@@ -92,7 +92,11 @@ struct OppositePlaces {
   double medianError() const;
 };
 
-/// Judges the claims. `truth` has a pose for each image; `height_m`: as RevisitRule::height_m.
+/// Of an image; null if it has no true pose. The frames of `truth` are the numbers of images.
+const evaluation::TrajectoryPose* poseOf(const evaluation::Trajectory& truth, std::int64_t image);
+
+/// Judges the claims. `truth` has a pose for each image of a claim; `height_m`: as
+/// RevisitRule::height_m.
 OppositePlaces judgeOpposite(const evaluation::Trajectory& truth,
                              std::vector<evaluation::PlaceClaim> claims, double height_m = 0);
 

@@ -63,7 +63,7 @@ class Pass {
 
   std::vector<Answer> answers;
   std::vector<double> milliseconds;
-  evaluation::Trajectory truth;  ///< as long as the frames have true poses
+  evaluation::Trajectory truth;  ///< of the images that have true poses
 
  private:
   bool next(Frame& frame) {
@@ -91,7 +91,7 @@ class Pass {
     Motion motion;
     motion.frame = frame.frame;
     motion.stamp_ns = frame.stamp_ns;
-    const bool follows = static_cast<std::int64_t>(truth.size()) == images_;
+    const bool follows = !truth.empty() && truth.back().frame == images_ - 1;
     if (images_ > 0) {
       motion.state = TrackingState::Tracking;
       motion.T_previous_current.translation().z() = options_.metres_per_image;
@@ -102,9 +102,7 @@ class Pass {
       motion.covariance = 1e-4 * Matrix6d::Identity();
       setPlanarVelocity(motion, 1e-9 * static_cast<double>(frame.stamp_ns - last_stamp_ns_));
     }
-    if (frame.has_truth && follows) {
-      truth.push_back({images_, frame.stamp_ns, frame.T_world_camera_truth});
-    }
+    if (frame.has_truth) truth.push_back({images_, frame.stamp_ns, frame.T_world_camera_truth});
     last_stamp_ns_ = frame.stamp_ns;
     return motion;
   }
@@ -133,6 +131,7 @@ class PlacesMeasurement {
     bench_.images = pass.images();
     if (options_.second.empty()) {
       const PlaceTruth truth = truthOf(pass, first.system());
+      if (options_.pairs.empty()) leaveOutUnknown(pass);
       if (options_.pairs.empty()) {  // with true poses
         std::vector<evaluation::PlaceClaim> turned;
         for (const Answer& answer : pass.answers) {
@@ -203,9 +202,22 @@ class PlacesMeasurement {
     }
   }
 
+  /// Claims about images without a true pose are neither right nor wrong.
+  void leaveOutUnknown(Pass& pass) {
+    const std::int64_t unknown = pass.images() - std::ssize(pass.truth);
+    if (unknown == 0) return;
+    log_.write(
+        LogLevel::Warning, "source",
+        fmt::format("{} of {} images have no true pose; what is claimed of them is not judged",
+                    unknown, pass.images()));
+    std::erase_if(pass.answers, [&](const Answer& answer) {
+      return !poseOf(pass.truth, answer.claim.query) || !poseOf(pass.truth, answer.claim.place);
+    });
+  }
+
   PlaceTruth truthOf(const Pass& pass, const engine::CheckedSystem& system) const {
     if (options_.pairs.empty()) {
-      if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
+      if (!pass.truth.empty()) {
         return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
       }
       throw engine::Failure(

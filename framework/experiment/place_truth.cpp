@@ -37,11 +37,12 @@ Images returning(const Trajectory& truth, const evaluation::RevisitRule& rule, H
   return images;
 }
 
-const Eigen::Isometry3d& poseOf(const Trajectory& truth, std::int64_t image) {
-  return truth[static_cast<std::size_t>(image)].T_world_camera;
-}
-
 }  // namespace
+
+const evaluation::TrajectoryPose* poseOf(const Trajectory& truth, std::int64_t image) {
+  const auto found = std::ranges::lower_bound(truth, image, {}, &evaluation::TrajectoryPose::frame);
+  return found == truth.end() || found->frame != image ? nullptr : &*found;
+}
 
 PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t tolerance) {
   return {
@@ -95,13 +96,16 @@ PlaceTruth truthOfPoses(const Trajectory& truth, double height_m, std::int64_t n
   const auto drive = std::make_shared<const Drive>(
       Drive{rule, truth, evaluation::distances(truth), returning(truth, rule, Heading::Same)});
   const auto isSame = [drive](std::int64_t query, std::int64_t place) {
-    const double between =
-        drive->path[static_cast<std::size_t>(query)] - drive->path[static_cast<std::size_t>(place)];
-    if (between <= drive->rule.path_m) return false;
-    const Eigen::Isometry3d& q = poseOf(drive->truth, query);
-    const Eigen::Isometry3d& p = poseOf(drive->truth, place);
-    return evaluation::isSamePlace(q, p, drive->rule) &&
-           evaluation::headingBetween(q, p, drive->rule) == Heading::Same;
+    const auto* const q = poseOf(drive->truth, query);
+    const auto* const p = poseOf(drive->truth, place);
+    if (q == nullptr || p == nullptr) return false;
+    const auto pathOf = [&](const auto* pose) {
+      return drive->path[static_cast<std::size_t>(pose - drive->truth.data())];
+    };
+    if (pathOf(q) - pathOf(p) <= drive->rule.path_m) return false;
+    return evaluation::isSamePlace(q->T_world_camera, p->T_world_camera, drive->rule) &&
+           evaluation::headingBetween(q->T_world_camera, p->T_world_camera, drive->rule) ==
+               Heading::Same;
   };
   const auto isFindable = [drive, isSame, near](std::int64_t query) {
     if (!drive->findable.contains(query)) return false;
@@ -131,15 +135,17 @@ OppositePlaces judgeOpposite(const Trajectory& truth, std::vector<evaluation::Pl
   const evaluation::RevisitRule rule = ruleFor(height_m);
   OppositePlaces places{0, 0, std::move(claims)};
   for (evaluation::PlaceClaim& claim : places.claims) {
-    const Eigen::Isometry3d& place = poseOf(truth, claim.place);
-    const Eigen::Isometry3d& query = poseOf(truth, claim.query);
+    const Eigen::Isometry3d& place = poseOf(truth, claim.place)->T_world_camera;
+    const Eigen::Isometry3d& query = poseOf(truth, claim.query)->T_world_camera;
     const Eigen::Isometry3d claimed = place * claim.T_place_query;
     claim.error_m = (claimed.translation() - query.translation()).norm();
     claim.right = evaluation::headingBetween(place, query, rule) == Heading::Opposite &&
                   evaluation::isSamePlace(claimed, query, rule);
   }
   const std::vector<double> path = evaluation::distances(truth);
-  const auto pathOf = [&](std::int64_t image) { return path[static_cast<std::size_t>(image)]; };
+  const auto pathOf = [&](std::int64_t image) {
+    return path[static_cast<std::size_t>(poseOf(truth, image) - truth.data())];
+  };
   const Images same = returning(truth, rule, Heading::Same);
   for (const std::int64_t image : returning(truth, rule, Heading::Opposite)) {
     if (same.contains(image)) continue;

@@ -258,6 +258,31 @@ TEST_CASE("bench places: true poses decide where the source has them") {
   CHECK(json["recall_at_90"] == 0);
 }
 
+TEST_CASE("bench places: a truth of a part decides of that part") {
+  const Walks walks;
+  std::ofstream truth(walks.path("truth.csv"));
+  truth << "frame,x,y,z,qx,qy,qz,qw\n";
+  for (int i = 0; i < 2 * kPlaces; ++i) {
+    const double angle = 2 * M_PI * i / kPlaces;  // clockwise on a circle, 3 m an image
+    if (i >= 70 && i < 80) continue;
+    truth << i << "," << 28.6 * (1 - std::cos(angle)) << ",0," << 28.6 * std::sin(angle) << ",0,"
+          << std::sin(angle / 2) << ",0," << std::cos(angle / 2) << "\n";
+  }
+  truth.close();
+  const Finished finished =
+      walks.bench("lap", {"--set", "evaluation.truth=" + walks.path("truth.csv"), "--json"});
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  CHECK(contains(finished.err, "10 of 120 images have no true pose"));
+  const auto json = nlohmann::json::parse(finished.out);
+  CHECK(json["findable"] == 51);  // from the last one of the first lap on
+  CHECK(json["claims"].size() > 10);
+  for (const auto& claim : json["claims"]) {
+    CHECK((claim["query"] < 70 || claim["query"] >= 80));
+    CHECK((claim["place"] < 70 || claim["place"] >= 80));
+  }
+}
+
 TEST_CASE("bench places without truth says what is missing") {
   const Walks walks;
   const Finished nothing = walks.bench("lap", {});

@@ -59,7 +59,7 @@ std::vector<Expected> expectedOfData() {
   return {
       {"kitti_clips/06", 20, {"plugin: kitti\n", "direct_sparse_stereo", "'car' is guessed"}},
       {"kitti_clips/01", 20, {"plugin: kitti\n", "direct_sparse_stereo"}},
-      {"kitti_clips/raw_0001", 20, {"plugin: kitti\n", "no truth", "the true path"}},
+      {"kitti_clips/raw_0001", 20, {"plugin: kitti\n", "the true path"}},
       {"kitti_clips/00_left", 20, {"direct_sparse_mono", "arbitrary units"}},
       {"kitti_clips/03_left", 20, {"direct_sparse_mono", "'car' is guessed"}},
       {"kitti_motion/00", 20, {"plugin: motion_log\n", "motion_replay"}},

@@ -185,7 +185,7 @@ std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames) {
   if (!dataset.rig.calibrated) {
     text += dataset.raw.cameras.empty() ? ", uncalibrated" : ", not rectified";
   }
-  return text + (dataset.T_world_left.empty() ? ", no truth" : ", with truth");
+  return text + (dataset.T_world_left.empty() ? "" : ", with truth");
 }
 
 namespace {

@@ -69,8 +69,7 @@ TEST_CASE("pairs of one time, with exact stamps and raw cameras") {
   CHECK(pair.frames[0].stamp_ns == 1403715273262142976);
   CHECK(pair.frames[1].stamp_ns == 1403715273362142976);
   CHECK_FALSE(pair.frames[1].right.empty());
-  CHECK(pair.info.description ==
-        "EuRoC, 2 stereo pairs of 64x48 px at 10.0 Hz, not rectified, no truth");
+  CHECK(pair.info.description == "EuRoC, 2 stereo pairs of 64x48 px at 10.0 Hz, not rectified");
   CHECK_FALSE(pair.info.rig.calibrated);
   REQUIRE(pair.raw.cameras.size() == 2);
   CHECK(pair.raw.cameras[1].T_reference_camera.translation().x() == 0.11);

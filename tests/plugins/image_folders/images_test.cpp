@@ -110,7 +110,7 @@ TEST_CASE("one uncalibrated folder, found where none is named") {
   const Images mono(data, kLeft);
   CHECK(mono.message.empty());
   CHECK(mono.info.description ==
-        "images, 4 images of one camera of 64x48 px at 10.0 Hz, uncalibrated, no truth");
+        "images, 4 images of one camera of 64x48 px at 10.0 Hz, uncalibrated");
   CHECK_FALSE(mono.info.rig.calibrated);
   REQUIRE(mono.frames.size() == 4);
   CHECK(mono.frames[3].stamp_ns == 300'000'000);

@@ -57,7 +57,7 @@ TEST_CASE("uncalibrated folders: laps between desks, two laps of a corridor", "[
   }
   if (const auto corridor = test::dataOrSkip("places_two_laps")) {
     CHECK(look<ImagesParameters>(*corridor, {{"rate", 1.0}}).info.description ==
-          "images, 84 images of one camera of 512x384 px at 1.0 Hz, uncalibrated, no truth");
+          "images, 84 images of one camera of 512x384 px at 1.0 Hz, uncalibrated");
   }
 }
 
