@@ -25,7 +25,6 @@ Status RectifiedSource::info(SourceInfo& info) {
   }
   if (status.isOk() && !raw_.cameras.empty()) status = prepare(info.rig);
   if (status.isOk()) status = prepareCut(info.rig);
-  if (info.has_truth) truth_.yieldToSource();
   const std::string truth = truth_.isGiven() && !info.has_truth ? "with truth" : "";
   if (truth_.isGiven()) info.has_truth = true;
   for (const std::string& text : {text_, cutText(), truth}) {

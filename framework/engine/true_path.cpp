@@ -53,7 +53,6 @@ std::optional<Eigen::Isometry3d> matrixOf(const fs::path& file, const std::strin
 struct Table {
   fs::path file;
   Eigen::Isometry3d T_camera_body = Eigen::Isometry3d::Identity();
-  bool is_fallback = false;
 };
 
 /// Of the first truth that a folder of EuRoC's layout has, with calibrations of both sensors.
@@ -69,12 +68,11 @@ std::optional<Table> tableIn(const fs::path& folder) {
       const fs::path file = root / name;
       if (!isTruthFile(file)) continue;
       const auto T_body_sensor = matrixOf(file.parent_path() / "sensor.yaml", "T_BS");
-      return Table{file, *T_camera_imu * T_body_sensor.value_or(Eigen::Isometry3d::Identity()),
-                   false};
+      return Table{file, *T_camera_imu * T_body_sensor.value_or(Eigen::Isometry3d::Identity())};
     }
   }
-  const fs::path of_tum = folder / "groundtruth.txt";  // its source takes it if it is complete
-  if (isTruthFile(of_tum)) return Table{of_tum, Eigen::Isometry3d::Identity(), true};
+  const fs::path of_tum = folder / "groundtruth.txt";
+  if (isTruthFile(of_tum)) return Table{of_tum};
   return std::nullopt;
 }
 
@@ -102,9 +100,7 @@ Result<TruePath> TruePath::open(const config::EvaluationSettings& settings,
   }
   path.file_ = table ? table->file : fs::path(settings.truth);
   Result<evaluation::Trajectory> poses = evaluation::readTrajectory(path.file_);
-  if (!poses.isOk() && table && table->is_fallback) return path;
   if (!poses.isOk()) return poses.status();
-  path.is_fallback_ = table && table->is_fallback;
   path.poses_ = std::move(poses).value();
   path.offset_ns_ = std::llround(settings.truth_offset * kNanoseconds);
   path.longest_gap_ns_ = evaluation::usualGap(path.poses_);

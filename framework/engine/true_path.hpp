@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // True poses for the frames of any source: of the file that `evaluation.truth` names, or of the
-// table that a folder of EuRoC or TUM-VI has beside its images.
+// table that a folder of EuRoC, TUM-VI or TUM has beside its images.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -25,10 +25,6 @@ class TruePath {
   /// body.
   bool applies() const { return isGiven() || has_body_; }
   const std::filesystem::path& file() const { return file_; }
-  /// The source has a truth of its own: a file found beside TUM's images counts only without.
-  void yieldToSource() {
-    if (is_fallback_) poses_.clear();
-  }
   /// Tables beside images are of the raw left camera, which was turned by this rotation.
   void rectify(const Eigen::Matrix3d& R_rectified_raw);
   /// Sets the truth of the frame; frames without a true pose at their time have none. Poses are
@@ -47,7 +43,6 @@ class TruePath {
   std::int64_t offset_ns_ = 0;
   std::int64_t longest_gap_ns_ = 0;
   bool nearest_ = false;
-  bool is_fallback_ = false;
   bool has_body_ = false;  ///< by evaluation.body
   bool is_point_ = false;  ///< a table beside the images has positions alone
 };

@@ -161,17 +161,18 @@ TEST_CASE("a named file has the truth of a part, never across a gap, at the cloc
   CHECK_THAT(path.clockProblem(frameAt(5)), Catch::StartsWith("the first image is of 2.005 s"));
 }
 
-TEST_CASE("the truth of a part of TUM's images counts where the source has none") {
+TEST_CASE("TUM's images find their truth, also that of a part of them") {
   const Folder folder;
   folder.write("groundtruth.txt", "1 0 0 0 0 0 0 1\n1.01 0 0 1 0 0 0 1\n");
   TruePath path = opened({}, folder.folder.path().string());
   Frame frame = frameAt(1005);
   path.apply(frame);
   CHECK(frame.T_world_camera_truth.translation().isApprox(Eigen::Vector3d(0, 0, 0.5)));
-  path.yieldToSource();
-  CHECK_FALSE(path.applies());
-  folder.write("groundtruth.txt", "damaged\n");  // the source says so
-  CHECK_FALSE(opened({}, folder.folder.path().string()).isGiven());
+  frame.stamp_ns = 1020 * kMs;
+  path.apply(frame);
+  CHECK_FALSE(frame.has_truth);
+  folder.write("groundtruth.txt", "damaged\n");
+  CHECK_FALSE(TruePath::open({}, folder.folder.path().string()).isOk());
 }
 
 TEST_CASE("frame numbers are those of the data set; the body is taken off, of any truth") {

@@ -55,7 +55,8 @@ std::vector<double> numbersOf(const fs::path& file, const TextLine& line, const 
     if (!number) {
       throw DataError(file, line.number,
                       inQuotes(fields[i]) + " " +
-                          std::string(text_encoding::numberProblem(fields[i])) + "; correct the pose");
+                          std::string(text_encoding::numberProblem(fields[i])) +
+                          "; correct the pose");
     }
     numbers.push_back(*number);
   }
@@ -112,19 +113,6 @@ Eigen::Isometry3d kittiPose(const fs::path& file, const TextLine& line) {
   T.linear() = Eigen::Quaterniond(R).normalized().toRotationMatrix();
   T.translation() = M.col(3);
   return T;
-}
-
-Eigen::Isometry3d tumPose(const fs::path& file, const TextLine& line, const Fields& fields) {
-  constexpr double kFarthest = 1e9;  // m; the bound of trajectories that are evaluated
-  const std::vector<double> v = numbersOf(file, line, fields, 1, 7);
-  const Eigen::Vector3d t(v[0], v[1], v[2]);
-  const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
-  if (std::abs(q.norm() - 1) > 0.01 || (t.array().abs() > kFarthest).any()) {
-    throw DataError(file, line.number,
-                    "is no pose 'seconds tx ty tz qx qy qz qw' with a quaternion of length 1; "
-                    "correct it");
-  }
-  return Eigen::Isometry3d(Eigen::Translation3d(t) * q.normalized());
 }
 
 }  // namespace
@@ -218,20 +206,6 @@ StampedFiles sortedByTimes(std::vector<fs::path> images, TimeUnit unit) {
 std::vector<Eigen::Isometry3d> readKittiPoses(const fs::path& file) {
   std::vector<Eigen::Isometry3d> poses;
   for (const TextLine& line : linesOf(file)) poses.push_back(kittiPose(file, line));
-  return poses;
-}
-
-StampedPoses readTumPoses(const fs::path& file) {
-  StampedPoses poses;
-  for (const TextLine& line : linesOf(file)) {
-    const Fields fields = text_encoding::splitFields(line.text);
-    const std::int64_t ns = timeOf(file, line.number, fields.front(), TimeUnit::Seconds);
-    if (!poses.stamps_ns.empty() && ns <= poses.stamps_ns.back()) {
-      throw DataError(file, line.number, "is no later than the line before; sort the file");
-    }
-    poses.T_world_camera.push_back(tumPose(file, line, fields));
-    poses.stamps_ns.push_back(ns);
-  }
   return poses;
 }
 

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "stamped_poses.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::image_folders {
@@ -50,10 +49,5 @@ StampedFiles sortedByTimes(std::vector<std::filesystem::path> images, TimeUnit u
 
 /// KITTI's poses: T_world_camera0 as 12 numbers per line, row by row.
 std::vector<Eigen::Isometry3d> readKittiPoses(const std::filesystem::path& file);
-
-using source_parameters::StampedPoses;
-
-/// Lines "seconds tx ty tz qx qy qz qw", as the TUM benchmarks have them.
-StampedPoses readTumPoses(const std::filesystem::path& file);
 
 }  // namespace tolman::image_folders

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tum`: rgb.txt, depth.txt, groundtruth.txt and the folders that they list.
+// `tum`: rgb.txt, depth.txt and the folders that they list; the host reads groundtruth.txt.
 #include <algorithm>
 
 #include "data_error.hpp"
@@ -11,8 +11,7 @@ using source_parameters::DataError;
 
 namespace {
 
-// Largest difference in time between an image and its depth or its true pose, as the benchmark's
-// own script has it.
+// Largest difference in time between an image and its depth, as the benchmark's own script has it.
 constexpr std::int64_t kApartNs = 20'000'000;
 
 /// Images without depth are left out, because every frame must have each sensor.
@@ -39,33 +38,6 @@ void addDepth(const TumParameters& p, const fs::path& list, ImageDataset& datase
   keepFrames(keep, dataset);
 }
 
-/// Poses of the camera at the times of the images, interpolated between the measured ones. A
-/// damaged truth is an error in `findings`, and the run can go on without it.
-void addTruth(const fs::path& file, ImageDataset& dataset, FindingCollector& findings) {
-  const auto reject = [&](std::string where, std::string message, Finding::Severity severity) {
-    findings.add({severity, std::move(where), std::move(message),
-                  "correct the true poses, or remove the file", Finding::Kind::Contradiction});
-  };
-  try {
-    const StampedPoses truth = readTumPoses(file);
-    std::vector<Eigen::Isometry3d> poses;
-    for (const std::int64_t stamp : dataset.stamps_ns) {
-      if (const auto pose = poseAt(truth, stamp, kApartNs)) poses.push_back(*pose);
-    }
-    const std::size_t images = dataset.stamps_ns.size();
-    if (poses.size() == images) {
-      dataset.T_world_left = std::move(poses);
-      return;
-    }
-    reject(file.string(),
-           "has no pose near the time of " + std::to_string(images - poses.size()) + " of " +
-               std::to_string(images) + " images, so the run has no true poses",
-           poses.empty() ? Finding::Severity::Error : Finding::Severity::Warning);
-  } catch (const DataError& error) {
-    reject("truth", error.what(), Finding::Severity::Error);
-  }
-}
-
 }  // namespace
 
 void read(const TumParameters& p, ImageDataset& dataset, FindingCollector& findings) {
@@ -77,9 +49,6 @@ void read(const TumParameters& p, ImageDataset& dataset, FindingCollector& findi
   std::error_code ignored;
   if (fs::exists(root / "depth.txt", ignored)) addDepth(p, root / "depth.txt", dataset, findings);
   setImageSize(dataset);
-  if (fs::exists(root / "groundtruth.txt", ignored)) {
-    addTruth(root / "groundtruth.txt", dataset, findings);
-  }
   const CameraRig& size = dataset.rig;
   if (p.isRaw()) {
     dataset.raw.cameras = {

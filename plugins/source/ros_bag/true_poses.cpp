@@ -9,12 +9,14 @@
 namespace tolman::ros_bag {
 namespace {
 
+using Poses = std::map<std::int64_t, Eigen::Isometry3d>;
+
 /// 2.5 usual steps, as for a truth of evaluation.truth.
-std::int64_t longestGap(const std::vector<std::int64_t>& stamps_ns) {
+std::int64_t longestGap(const Poses& poses) {
   constexpr std::int64_t kLeast_ns = 100'000'000;
   std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < stamps_ns.size(); ++i) {
-    steps.push_back(stamps_ns[i] - stamps_ns[i - 1]);
+  for (auto pose = poses.begin(); std::next(pose) != poses.end(); ++pose) {
+    steps.push_back(std::next(pose)->first - pose->first);
   }
   if (steps.empty()) return kLeast_ns;
   const auto median = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
@@ -40,7 +42,7 @@ Status TruePoses::load(Bag& bag, const BagTopic& topic, const TruthName& name,
                        std::pair<std::int64_t, std::int64_t> frames_ns,
                        FindingCollector& findings) {
   const bool of_many = isTransforms(topic.topic.type);
-  std::map<std::int64_t, Eigen::Isometry3d> poses;
+  Poses poses;
   std::set<std::string> others;
   for (const BagMessage& message : topic.index) {
     const auto bytes = bag.read(message);
@@ -73,26 +75,34 @@ Status TruePoses::load(Bag& bag, const BagTopic& topic, const TruthName& name,
                                     name.child_frame + "' in '" + name.frame +
                                     "'; name topic, frame and child frame, one of: " + listed);
   }
-  for (const auto& [stamp_ns, pose] : poses) {
-    poses_.stamps_ns.push_back(stamp_ns);
-    poses_.T_world_camera.push_back(poses.begin()->second.inverse() * pose);
-  }
-  longest_gap_ns_ = longestGap(poses_.stamps_ns);
-  if (poses_.stamps_ns.front() <= frames_ns.second && poses_.stamps_ns.back() >= frames_ns.first) {
+  const auto [first_ns, last_ns] = std::pair(poses.begin()->first, poses.rbegin()->first);
+  if (first_ns <= frames_ns.second && last_ns >= frames_ns.first) {
+    const Eigen::Isometry3d from_first = poses.begin()->second.inverse();
+    for (auto& [stamp_ns, pose] : poses) pose = from_first * pose;
+    longest_gap_ns_ = longestGap(poses);
+    poses_ = std::move(poses);
     return Status::ok();
   }
   findings.add({Finding::Severity::Error, topic.topic.name,
                 "has no true pose at the time of any image: its messages are from " +
-                    secondsText(poses_.stamps_ns.front()) + " to " +
-                    secondsText(poses_.stamps_ns.back()) + ", the images from " +
+                    secondsText(first_ns) + " to " + secondsText(last_ns) + ", the images from " +
                     secondsText(frames_ns.first) + " to " + secondsText(frames_ns.second),
                 "check the clocks of both", Finding::Kind::Contradiction});
-  poses_ = {};
   return Status::ok();
 }
 
 std::optional<Eigen::Isometry3d> TruePoses::at(std::int64_t stamp_ns) const {
-  return source_parameters::poseAt(poses_, stamp_ns, longest_gap_ns_, longest_gap_ns_);
+  const auto after = poses_.lower_bound(stamp_ns);
+  if (after == poses_.end()) return std::nullopt;
+  if (after->first == stamp_ns) return after->second;
+  if (after == poses_.begin()) return std::nullopt;
+  const auto& [before_ns, a] = *std::prev(after);
+  const auto& [after_ns, b] = *after;
+  if (after_ns - before_ns > longest_gap_ns_) return std::nullopt;
+  const double share =
+      static_cast<double>(stamp_ns - before_ns) / static_cast<double>(after_ns - before_ns);
+  return Eigen::Translation3d((1 - share) * a.translation() + share * b.translation()) *
+         Eigen::Quaterniond(a.linear()).slerp(share, Eigen::Quaterniond(b.linear()));
 }
 
 }  // namespace tolman::ros_bag

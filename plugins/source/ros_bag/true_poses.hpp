@@ -4,12 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "bag.hpp"
-#include "stamped_poses.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::ros_bag {
@@ -28,12 +28,12 @@ class TruePoses {
   /// Damaged messages, and a truth without any of the run's images in its times, go to `findings`.
   Status load(Bag& bag, const BagTopic& topic, const TruthName& name,
               std::pair<std::int64_t, std::int64_t> frames_ns, FindingCollector& findings);
-  bool isEmpty() const { return poses_.stamps_ns.empty(); }
+  bool isEmpty() const { return poses_.empty(); }
   /// Seen from the first pose. None across a gap of more than 2.5 usual steps, at least 0.1 s.
   std::optional<Eigen::Isometry3d> at(std::int64_t stamp_ns) const;
 
  private:
-  source_parameters::StampedPoses poses_;
+  std::map<std::int64_t, Eigen::Isometry3d> poses_;  ///< by stamp
   std::int64_t longest_gap_ns_ = 0;
 };
 

@@ -106,24 +106,6 @@ TEST_CASE("poses that are none") {
   }
   CHECK_THAT(refusalOf(good + "1 0 0 1e200 0 1 0 0 0 0 1 0\n", readKittiPoses),
              Catch::StartsWith("DATA/f.txt:2: has a position beyond 1e9 m"));
-  CHECK_THAT(refusalOf("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n", readTumPoses),
-             Catch::StartsWith("DATA/f.txt:2: is no later"));
-}
-
-TEST_CASE("true poses lie between the measured ones") {
-  StampedPoses poses;
-  poses.stamps_ns = {1000, 2000};
-  poses.T_world_camera.resize(2, Eigen::Isometry3d::Identity());
-  poses.T_world_camera[1].translation().x() = 4;
-  poses.T_world_camera[1].linear() = Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ()).matrix();
-  const auto pose = poseAt(poses, 1250, 800);
-  REQUIRE(pose);
-  CHECK(pose->translation().x() == Approx(1));
-  CHECK(Eigen::AngleAxisd(pose->linear()).angle() == Approx(0.2));
-  CHECK(poseAt(poses, 1000, 0)->translation().x() == 0);
-  CHECK_FALSE(poseAt(poses, 999, 800).has_value());
-  CHECK_FALSE(poseAt(poses, 2001, 800).has_value());
-  CHECK_FALSE(poseAt(poses, 1250, 700).has_value());
 }
 
 }  // namespace tolman::image_folders
