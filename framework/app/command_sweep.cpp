@@ -38,10 +38,8 @@ std::string jobsText(const experiment::JobsState& state) {
   std::string text = fmt::format("{} of {}", state.ended, state.all);
   if (state.failed > 0) text += fmt::format(", {} failed", state.failed);
   if (state.lost > 0) text += fmt::format(", {} lost tracking", state.lost);
-  if (state.ended > 0 && state.ended < state.all) {
-    const double left = state.seconds / static_cast<double>(state.ended) *
-                        static_cast<double>(state.all - state.ended);
-    text += ", " + durationText(left) + " left";
+  if (state.left_s >= 0 && state.ended < state.all) {
+    text += ", " + durationText(state.left_s) + " left";
   }
   return text;
 }

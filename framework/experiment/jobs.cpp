@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <chrono>
 #include <fstream>
@@ -15,6 +16,7 @@
 
 #include "base/must.hpp"
 #include "base/text_file.hpp"
+#include "evaluation/errors.hpp"
 #include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "host/child_process.hpp"
@@ -111,9 +113,34 @@ class Jobs {
     waiting_.erase(run.folder);
     if (outcome.state == PointState::Interrupted) return;
     ++state_.ended;
+    durations_[takesAnswers(run)].push_back(outcome.wall_s);
+    forecast(run);
     if (outcome.state != PointState::Done) ++state_.failed;
     if (outcome.lostTracking()) ++state_.lost;
     options_.on_end(run, outcome, state_);
+  }
+
+  static bool takesAnswers(const PlannedRun& run) {
+    return !run.front_end_folder.empty() || !run.answers_folder.empty();
+  }
+
+  /// From the median run of each kind: a run that takes the answers of another is much shorter.
+  void forecast(const PlannedRun& ended) {
+    std::array<double, 2> count{};
+    for (const PlannedRun* run : todo_) ++count[takesAnswers(*run)];
+    for (const Job& job : running_) {
+      if (job.run != &ended) count[takesAnswers(*job.run)] += 0.5;  // half done
+    }
+    state_.left_s = 0;
+    for (const std::size_t kind : {0, 1}) {
+      if (count[kind] == 0) continue;
+      if (durations_[kind].empty()) {
+        state_.left_s = -1;
+        return;
+      }
+      state_.left_s += count[kind] * evaluation::statistics(durations_[kind]).median /
+                       static_cast<double>(options_.jobs);
+    }
   }
 
   void show() {
@@ -131,6 +158,7 @@ class Jobs {
   std::set<std::string> waiting_;  ///< folders of runs that have not ended
   std::vector<Job> running_;
   JobsState state_;
+  std::array<std::vector<double>, 2> durations_;  ///< s, of runs with and without own answers
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -137,6 +137,7 @@ struct JobsState {
   std::size_t failed = 0;
   std::size_t lost = 0;              ///< done, but with lostTracking()
   double seconds = 0;                ///< since the start
+  double left_s = -1;                ///< forecast; -1: not known yet
   std::vector<std::string> running;  ///< names of the runs
 };
 
