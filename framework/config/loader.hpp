@@ -30,6 +30,8 @@ struct Loaded {
   BaseFolders folders;   ///< for relative paths in the tree
   std::string file;      ///< as given to load()
   Problems problems;     ///< of all files at once
+  /// Parameters that went with a plugin which an override replaces.
+  std::vector<std::string> notes{};
   bool complete = true;  ///< false if a file could not be read: then a missing key is no problem
 };
 

@@ -195,6 +195,7 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
   addObservers(loaded, options.observers);
   confine(loaded, scope, problems);
   CheckedSystem checked;
+  checked.notes = loaded.notes;
   checked.config = config::parse(loaded, problems);
   const host::Catalogue catalogue = openCatalogue(options.plugin_paths);
   for (const config::StageConfig& stage : checked.config.stages) {

@@ -49,6 +49,7 @@ void refuseOthers(const fs::path& run, const RunJson& before, const RunJson& now
 
 void Run::prepare(CheckedSystem system) {
   inputs_ = inputPaths(system).present;
+  for (const std::string& note : system.notes) log_.write(LogLevel::Warning, "config", note);
   checkOut(system.config.general.continue_from);
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
