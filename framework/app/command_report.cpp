@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <fmt/format.h>
+
 #include <iostream>
 #include <optional>
 
@@ -65,7 +67,11 @@ void report(const ReportCommand& command, const Invocation& invocation) {
       return found;
     };
   }
-  printFiles(valueOf(engine::writeReport(readers, folder, units, views)), invocation);
+  const auto files = valueOf(engine::writeReport(readers, folder, units, views));
+  if (invocation.json) return printFiles(files, invocation);
+  printFiles({folder / "report.html"}, invocation);
+  if (invocation.quiet) return;
+  std::cout << fmt::format("{} figures in {}\n", files.size() - 1, (folder / "figures").string());
 }
 
 struct ExportCommand {

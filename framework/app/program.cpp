@@ -57,6 +57,7 @@ constexpr std::array kExamples = {
     Example{"tolman eval truth.txt estimate.txt", "errors of any TUM or KITTI trajectory"},
 };
 constexpr const char* kExitCodes =
+    "With every command: --json, -q or --quiet, --plugin-path PATH (`tolman --help`).\n"
     "Exit codes: 0 ok, 2 usage, 3 configuration, 4 plugin, 5 dataset, 6 tracking lost,\n"
     "  7 plugin failed while running, 8 record (disk) or output, 9 session,\n"
     "  70 internal error or out of memory, 130 interrupted\n";
