@@ -111,8 +111,7 @@ bool print(engine::Findings& findings, bool json) {
 
 /// Reads the data as a run would, and prints the findings.
 ExitCode check(const CheckCommand& command, const Invocation& invocation) {
-  const auto checked =
-      engine::require(engine::checkSystem(systemOf(command, invocation), engine::Scope::Source));
+  const auto checked = engine::checkSystem(systemOf(command, invocation), engine::Scope::Source);
   engine::RectifiedSource source(engine::instantiate(checked, 0), checked.config.rectification,
                                  checked.config.images);
   engine::RunLog log(invocation.quiet);

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "app/options.hpp"
-#include "base/number_text.hpp"
+#include "base/text_file.hpp"
 #include "base/shortest_path.hpp"
 #include "config/values.hpp"
 #include "experiment/tables.hpp"

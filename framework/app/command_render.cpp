@@ -206,7 +206,7 @@ ExitCode execute(const RenderCommand& command, engine::SystemOptions system,
   const std::string& out = command.out.path;
   const engine::Interrupts interrupts;  // before anything that starts threads
   if (command.depth) system.overrides.emplace_back("source.depth=true");
-  auto checked = engine::require(engine::checkSystem(system, engine::Scope::Source));
+  auto checked = engine::checkSystem(system, engine::Scope::Source);
   if (readsFrom(checked, out)) {
     fail(ExitCode::Record, out + ": the source reads from there; choose another --out");
   }

@@ -167,7 +167,7 @@ void view(const engine::ReplayOptions& options, bool hint, const Invocation& inv
       },
       [&] { progress.reset(); },
       [&](const std::string& text) {
-        if (!invocation.quiet) std::cerr << engine::wipedLine(STDERR_FILENO) + text + "\n";
+        if (!invocation.quiet) std::cerr << engine::wipedLine() + text + "\n";
       }};
   engine::RunLog log;
   engine::ReplayServer(options, log, clock, interrupts, listener).serve();

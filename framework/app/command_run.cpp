@@ -47,15 +47,14 @@ ExitCode runSystem(const RunCommand& command, const SystemOptionsReader& reader,
   options.out = command.out.path;
   options.replace = command.out.replace;
   options.resume = reader.resumed();
-  return printOutcome(
-      execute(engine::require(engine::checkSystem(system)), options, invocation, interrupts),
-      invocation);
+  return printOutcome(execute(engine::checkSystem(system), options, invocation, interrupts),
+                      invocation);
 }
 
 void check(const SystemOptionsReader& reader, bool explain, const Invocation& invocation) {
   engine::SystemOptions system = reader.read(invocation);
   system.apart = true;
-  const auto checked = engine::require(engine::checkSystem(system));
+  const auto checked = engine::checkSystem(system);
   const std::string& continued = checked.config.general.continue_from;
   if (!continued.empty()) {  // otherwise it would be refused only when the run begins
     (void)engine::require(record::RunReader::open(continued), engine::FailureKind::Continuation);
@@ -137,7 +136,7 @@ ExitCode rerun(const RerunCommand& command, const Invocation& invocation) {
   options.out = out;
   options.replace = command.out.replace;
   const engine::Outcome outcome =
-      execute(engine::require(engine::checkSystem(system)), options, invocation, interrupts);
+      execute(engine::checkSystem(system), options, invocation, interrupts);
   const bool is_whole = !outcome.interrupted && !outcome.failure;
   return command.verify && is_whole ? compare(before, out, invocation)
                                     : printOutcome(outcome, invocation);

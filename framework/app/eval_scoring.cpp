@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "app/options.hpp"
-#include "base/number_text.hpp"
-#include "base/text_encoding.hpp"
+#include "base/text_file.hpp"
 #include "config/text.hpp"
 #include "evaluation/score.hpp"
 #include "evaluation/step_series.hpp"

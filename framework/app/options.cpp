@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/number_text.hpp"
+#include "base/text_file.hpp"
 #include "config/text.hpp"
 #include "config/values.hpp"
 #include "record/atomic_file.hpp"

@@ -220,7 +220,7 @@ int runProgram(const std::vector<std::string>& command_line) {
 }
 
 ExitCode printFailure(ExitCode code, const std::string& message) {
-  std::cerr << engine::wipedLine(STDERR_FILENO) + engine::printable(message) +
+  std::cerr << engine::wipedLine() + config::printable(message, "?") +
                    (message.ends_with('\n') ? "" : "\n");
   return code;
 }

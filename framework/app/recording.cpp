@@ -13,7 +13,7 @@
 
 #include "app/kitti_folder.hpp"
 #include "app/options.hpp"
-#include "base/number_text.hpp"
+#include "base/text_file.hpp"
 #include "config/loader.hpp"
 #include "config/text.hpp"
 #include "engine/assembly.hpp"
@@ -225,8 +225,8 @@ class Search {
     engine::RunLog log(true);
     const engine::SteadyClock clock;
     const Never never;
-    engine::Assembly assembly(engine::require(engine::checkSystem(options, engine::Scope::Source)),
-                              log, clock, never);
+    engine::Assembly assembly(engine::checkSystem(options, engine::Scope::Source), log, clock,
+                              never);
     std::vector<std::int64_t> stamps_ns;
     while (stamps_ns.size() < kProbedFrames) {
       Frame frame;

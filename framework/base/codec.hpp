@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -258,6 +259,15 @@ inline void Decoder::get(ParameterValues& values) {
     std::string key = next<std::string>();
     get(values[std::move(key)]);
   }
+}
+
+/// A hash of the bytes of a value, to tell whether two are the same bit for bit: -0.0 and 0.0
+/// differ. Not cryptographic. For bytes of files see record/digest.hpp.
+template <class T>
+std::size_t bitHash(const T& value) {
+  Encoder encoder;
+  encoder.put(value);
+  return std::hash<std::string>()(encoder.take());
 }
 
 }  // namespace tolman

@@ -4,8 +4,6 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "base/bounded_json.hpp"
-
 namespace tolman::record {
 
 using Json = nlohmann::ordered_json;
@@ -61,7 +59,7 @@ RecordedArrayInfo toRow(const ArrayInfo& info) {
 ArrayInfo fromRow(const RecordedArrayInfo& row) {
   ArrayInfo info{row.name, row.kind, row.unit, row.doc, row.population, {}};
   try {
-    for (const Json& json : bounded_json::parse<Json>(row.axes)) {
+    for (const Json& json : Json::parse(row.axes)) {
       ArrayAxis& axis = info.axes.emplace_back();
       visitFields(axis, [&](const Field& field, auto& value) {
         json.at(std::string(field.name)).get_to(value);

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
-
-#include "base/number_text.hpp"
-#include "base/open_files.hpp"
-#include "base/text_encoding.hpp"
+#include <string>
 
 namespace tolman::text_encoding {
 namespace fs = std::filesystem;
@@ -22,6 +22,19 @@ std::string printed(const char* format, int digits, double value) {
   std::array<char, 64> text{};
   const int size = std::snprintf(text.data(), text.size(), format, digits, value + 0.0);  // not -0
   return {text.data(), static_cast<std::size_t>(std::clamp(size, 0, 63))};
+}
+
+/// from_chars() does not accept a plus sign.
+std::string_view withoutPlus(std::string_view word) {
+  const bool has_plus = word.starts_with('+') && !word.starts_with("+-");
+  return word.substr(has_plus ? 1 : 0);
+}
+
+std::errc parse(std::string_view word, double& value) {
+  const std::string_view digits = withoutPlus(word);
+  const char* const all = digits.data() + digits.size();
+  const auto [end, error] = std::from_chars(digits.data(), all, value);
+  return error == std::errc() && end != all ? std::errc::invalid_argument : error;
 }
 
 /// A number as 0.DIGITS * 10^point.
@@ -73,9 +86,7 @@ Result<std::string> readText(const fs::path& file, std::uintmax_t most_bytes) {
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream.is_open() || stream.bad()) {
-    return fail(file_opening::notOpened("cannot be read; check its permissions"));
-  }
+  if (!stream.is_open() || stream.bad()) return fail("cannot be read; check its permissions");
   if (const std::string problem = encodingProblem(text); !problem.empty()) return fail(problem);
   return std::string(withoutMark(text));
 }
@@ -131,5 +142,35 @@ std::optional<std::int64_t> parseSeconds(std::string_view field, int digits_of_u
 std::string fixed(double value, int digits) { return printed("%.*f", digits, value); }
 
 std::string rounded(double value, int digits) { return printed("%.*g", digits, value); }
+
+std::string encodingProblem(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    return "is UTF-16; save it as UTF-8";
+  }
+  const std::size_t zero = text.find('\0');
+  if (zero == std::string_view::npos) return "";
+  const auto line = 1 + std::ranges::count(text.substr(0, zero), '\n');
+  return "has a zero byte in line " + std::to_string(line) +
+         ": it is UTF-16, damaged or no text; save it as UTF-8";
+}
+
+std::string_view withoutMark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.substr(text.starts_with(kMark) ? kMark.size() : 0);
+}
+
+std::optional<double> parseNumber(std::string_view word) {
+  double value = 0;
+  const bool sound = parse(word, value) == std::errc() && std::isfinite(value);
+  return sound ? std::optional(value) : std::nullopt;
+}
+
+std::string_view numberProblem(std::string_view word) {
+  double value = 0;
+  if (parse(word, value) != std::errc::result_out_of_range) return "is no finite number";
+  const double nearest = std::strtod(std::string(withoutPlus(word)).c_str(), nullptr);
+  return std::abs(nearest) < 1 ? "is too small for a double (write 0)"
+                               : "is too large for a double";
+}
 
 }  // namespace tolman::text_encoding

@@ -42,4 +42,21 @@ std::string fixed(double value, int digits);
 /// A number for a message, with `digits` significant ones.
 std::string rounded(double value, int digits = 4);
 
+/// What keeps a text from being read as UTF-8, with the remedy: the mark of UTF-16, which some
+/// editors save, or a zero byte and its line; a reader would blame a line or a number. Empty for a
+/// sound text. Other bytes that are no UTF-8 are not looked for.
+std::string encodingProblem(std::string_view text);
+
+/// Removes the byte order mark that some editors write before UTF-8.
+std::string_view withoutMark(std::string_view text);
+
+/// A decimal number, with a sign or without, all of the word, finite, and zero only if it is
+/// written as zero: what a double cannot hold, such as 1e400 or 1e-400, would be another number.
+/// Else empty.
+std::optional<double> parseNumber(std::string_view word);
+
+/// Why parseNumber() refuses a word, to follow it: "is no finite number", "is too small for a
+/// double (write 0)" or "is too large for a double".
+std::string_view numberProblem(std::string_view word);
+
 }  // namespace tolman::text_encoding

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/text_encoding.hpp"
+#include "base/text_file.hpp"
 #include "config/text.hpp"
 
 namespace tolman::config {

@@ -9,23 +9,25 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "conformance/check.hpp"
-#include "host/kept_state.hpp"
 
 namespace tolman::conformance {
 namespace fs = std::filesystem;
 
 namespace {
 
-/// What the host does not restore (KeptState), as text by name.
+/// What the host does not restore (KeptState) after a call for a frame, as text by name.
 std::map<std::string, std::string> processState() {
   std::error_code error;
   const mode_t mask = ::umask(0);
@@ -35,6 +37,12 @@ std::map<std::string, std::string> processState() {
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
     state["environment variable " + text.substr(0, text.find('='))] = text;
+  }
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action {};
+    if (::sigaction(number, nullptr, &action) != 0) continue;
+    state["handler of signal " + std::to_string(number)] =
+        std::to_string(reinterpret_cast<std::uintptr_t>(action.sa_handler));
   }
   return state;
 }
@@ -126,15 +134,19 @@ void checkGlobals(CheckContext& context) {
   std::srand(kSeed);
   const std::size_t written = outputOf(context).size();
   const auto before = processState();
-  (void)host::takeRestored();
   const InputSequence sequence = context.sequence();
   const int opencv_threads = openCvThreads();
-  context.runOnce(sequence);
+  const auto instance = context.configured(sequence.rig);
+  context.require(instance->run(sequence));
+  context.require(instance->finish(sequence));
+  context.require(instance->destroy());
   std::map<std::string, std::string> changed;
   std::ranges::set_symmetric_difference(before, processState(),
                                         std::inserter(changed, changed.end()));
   for (const auto& [name, text] : changed) context.error(name + " was changed");
-  for (const std::string& name : host::takeRestored())
+  std::set<std::string> restored = context.plugin().loaded.changed;
+  restored.insert(instance->changed().begin(), instance->changed().end());
+  for (const std::string& name : restored)
     context.error(name + " was changed; the host restored it");
   if (std::rand() != random) context.error("rand() or srand() of the C library was called");
   if (openCvThreads() != opencv_threads) context.error("cv::setNumThreads() was called");

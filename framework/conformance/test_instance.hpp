@@ -9,11 +9,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/hash.hpp"
+#include "base/codec.hpp"
 #include "conformance/input_sequence.hpp"
 #include "conformance/kit.hpp"
 #include "host/instance.hpp"
@@ -90,6 +91,7 @@ class TestInstance {
   Status save(std::ostream& stream);
   Status load(std::istream& stream);
   bool keepsState() { return instance().state() != nullptr; }
+  const std::set<std::string>& changed() { return instance().changed(); }
   /// Number of events that need a long drive, such as closed loops; an empty name for roles without
   /// such events.
   const Measurement& reached() const { return reached_; }

@@ -141,12 +141,9 @@ Status Assembly::describeArrays(std::vector<ArrayInfo>& arrays) {
 }
 
 Policies Assembly::policies() const {
-  Policies policies;
+  Policies policies{};
   for (const config::StageConfig& stage : checked_.config.stages) {
-    if (stage.role == Role::Odometry) policies.odometry = stage.on_failure;
-    if (stage.role == Role::Place) policies.place = stage.on_failure;
-    if (stage.role == Role::Cells) policies.cells = stage.on_failure;
-    if (stage.role == Role::Map) policies.map = stage.on_failure;
+    policies.at(static_cast<std::size_t>(stage.role)) = stage.on_failure;
   }
   return policies;
 }

@@ -28,17 +28,6 @@ R blankOf(const Frame& frame) {
   return record;
 }
 
-/// Sources name depth images "depth", or "depth." and the camera.
-bool isDepth(const NamedArray& array) {
-  return array.name == "depth" || array.name.starts_with("depth.");
-}
-
-Views viewsOf(const Frame& frame) {
-  if (frame.left.empty()) return Views::None;
-  if (!frame.right.empty()) return Views::Pair;
-  return std::ranges::any_of(frame.sensors, isDepth) ? Views::Depth : Views::Single;
-}
-
 }  // namespace
 
 bool Chain::failed() const {
@@ -70,10 +59,9 @@ std::optional<Failure> Chain::failure() const {
   return failure_ ? failure_ : input_failure_;
 }
 
-bool Chain::applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
-                        Role role) {
+bool Chain::applyPolicy(const Status& status, std::int64_t frame, Role role) {
   if (status.isOk()) return true;
-  if (policy == config::FailurePolicy::Stop) {
+  if (stopsFor(role)) {
     listener_.onEvent({frame, LogLevel::Error, std::string(enumName(role)), status.message()});
     fail(role, status);
     return false;
@@ -136,7 +124,7 @@ void Chain::place(FrameRecords& records) {
 
 bool Chain::acceptMotion(FrameRecords& records) {
   const Status& status = records.odometry_status;
-  if (!applyPolicy(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
+  if (!applyPolicy(status, records.frame.frame, Role::Odometry)) return false;
   if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
   reportImpossible(records.frame.frame, records.impossible);
   if (!acceptScale(records.motion)) return false;
@@ -180,7 +168,7 @@ void Chain::reportImpossible(std::int64_t frame, const std::vector<std::string>&
 
 bool Chain::acceptObservation(FrameRecords& records) {
   const Status& status = records.place_status;
-  if (!applyPolicy(status, policies_.place, records.frame.frame, Role::Place)) return false;
+  if (!applyPolicy(status, records.frame.frame, Role::Place)) return false;
   if (status.isOk()) return true;
   records.place = blankOf<PlaceObservation>(records.frame);
   return true;
@@ -195,9 +183,9 @@ bool Chain::runCells(FrameRecords& records) {
     }
     return stepped;
   });
-  if (!applyPolicy(status, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  if (!applyPolicy(status, records.frame.frame, Role::Cells)) return false;
   // With skip or restart the decision is kept if the arrays cannot be read.
-  if (!applyPolicy(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  if (!applyPolicy(arrays, records.frame.frame, Role::Cells)) return false;
   if (!arrays.isOk()) records.cells.clear();
   if (!status.isOk()) {
     records.decision = blankOf<Decision>(records.frame);
@@ -212,7 +200,7 @@ bool Chain::runMap(FrameRecords& records) {
   const Status status = timed(records.times, Role::Map, [&] {
     return stages_.map.update(records.motion, records.decision, records.map);
   });
-  if (!applyPolicy(status, policies_.map, records.frame.frame, Role::Map)) return false;
+  if (!applyPolicy(status, records.frame.frame, Role::Map)) return false;
   if (!status.isOk()) {  // the last experience, and the last pose moved by the motion
     const Eigen::Isometry3d& step = records.motion.T_previous_current;
     records.map = last_map_;
@@ -239,7 +227,7 @@ void Chain::publishGraph(FrameRecords& records) {
   if (!graph_has_changed_ || now.frame < next_graph_frame_) return;
   graph_has_changed_ = false;
   const Status status = stages_.map.graph(records.graph);
-  records.graph_changed = applyPolicy(status, policies_.map, now.frame, Role::Map) && status.isOk();
+  records.graph_changed = applyPolicy(status, now.frame, Role::Map) && status.isOk();
   if (records.graph_changed) countGraph(records.graph);
   const std::size_t size = records.graph.experiences.size() + records.graph.links.size();
   const std::size_t rarer = std::max<std::size_t>(1, size / kLargeGraph);
@@ -304,11 +292,7 @@ void Chain::resume(const ResumePoint& point) {
 
 void Chain::count(const FrameRecords& records) {
   ++counters_.frames;
-  if (records.frame.defect.empty()) {
-    counters_.views = viewsOf(records.frame);
-  } else {  // its images may have been taken away
-    ++counters_.defects;
-  }
+  if (!records.frame.defect.empty()) ++counters_.defects;
   const bool lost = records.motion.state == TrackingState::Lost;
   if (lost) ++counters_.lost;
   if (records.motion.state == TrackingState::Initialising) ++counters_.initialising;
@@ -389,14 +373,13 @@ void Chain::completeCounters() {
 std::vector<MotionRevision> Chain::finishStages() {
   std::vector<MotionRevision> revisions;
   std::vector<std::string> impossible;
-  finishing(Role::Odometry, policies_.odometry,
-            [&] { return stages_.odometry.finish(revisions, impossible); });
+  finishing(Role::Odometry, [&] { return stages_.odometry.finish(revisions, impossible); });
   reportImpossible(-1, impossible);
-  finishing(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
-  finishing(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
+  finishing(Role::Place, [&] { return stages_.place.finish(); });
+  finishing(Role::Cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
-  finishing(Role::Map, policies_.map, [&] { return stages_.map.checkLastPose(); });
-  finishing(Role::Map, policies_.map, [&] { return stages_.map.finish(revisions); });
+  finishing(Role::Map, [&] { return stages_.map.checkLastPose(); });
+  finishing(Role::Map, [&] { return stages_.map.finish(revisions); });
   return revisions;
 }
 
@@ -406,7 +389,7 @@ void Chain::finish() {
   completeCounters();
   const std::vector<MotionRevision> revisions = finishStages();
   std::vector<FramePose> poses;
-  (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
+  (void)applyPolicy(readTrajectory(poses), -1, Role::Map);
   if (const Status status = listener_.onTrajectory(poses); !status.isOk()) {
     fail(Role::Observer, status);
   }
@@ -414,14 +397,44 @@ void Chain::finish() {
   const auto read_graph = [&] { return finalGraph(poses, graph); };
   // After a failure the graph may name a frame without a record. This is not a further failure.
   if (had_failed ? timed(finish_times_ns_, Role::Map, read_graph).isOk()
-                 : finishing(Role::Map, policies_.map, read_graph)) {
+                 : finishing(Role::Map, read_graph)) {
     countGraph(graph);
   } else {
-    if (policies_.map == config::FailurePolicy::Stop) return;
+    if (stopsFor(Role::Map)) return;
     graph = MapGraph();  // the record keeps the graph that was published last
   }
   const Status published = listener_.onFinish(revisions, graph);
   if (!published.isOk()) fail(Role::Observer, published);
+}
+
+std::string_view RunCounters::endText() const {
+  if (!neverTracked()) {
+    const bool dark = lost_at_end && 2 * nearly_black > lost + initialising;
+    return dark ? "odometry was lost at the end: most images without tracking are nearly black; if "
+                  "their files have 16 bits of which the camera uses fewer, set source.bits, see "
+                  "log.txt; otherwise expose them longer"
+                : "";
+  }
+  if (frames == 1) {
+    return "no motion in the whole run: it has one frame, and motion is found between two; take "
+           "more";
+  }
+  if (2 * impossible > frames) {
+    return "no motion in the whole run: most motions exceed the limits of `checks`, see log.txt; "
+           "correct the limits, or the time stamps, the frame rate or the units of the source";
+  }
+  if (2 * nearly_black > frames) {
+    return "no motion in the whole run: the images are nearly black; if their files have 16 bits "
+           "of which the camera uses fewer, set source.bits, see log.txt; otherwise expose them "
+           "longer";
+  }
+  if (unmoved > 0) {
+    return "no motion in the whole run: odometry answered exactly zero at each frame; if the "
+           "camera moved, see `tolman dataset check`, and `tolman plugins validate` for the plugin";
+  }
+  return "no motion in the whole run; are the images rectified, and left and right not exchanged? "
+         "does their calibration fit, are depth images aligned and in the unit that the source "
+         "expects, and does the camera move, not only turn? see `tolman dataset check`";
 }
 
 }  // namespace tolman::engine

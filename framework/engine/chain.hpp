@@ -56,12 +56,8 @@ class StageTimer {
   std::int64_t start_;
 };
 
-struct Policies {
-  config::FailurePolicy odometry = config::FailurePolicy::Stop;
-  config::FailurePolicy place = config::FailurePolicy::Stop;
-  config::FailurePolicy cells = config::FailurePolicy::Stop;
-  config::FailurePolicy map = config::FailurePolicy::Stop;
-};
+/// `on_failure` of the stages by role; that of observers is applied by the listener.
+using Policies = std::array<config::FailurePolicy, kRoleNames.size()>;
 
 struct Stages {
   RectifiedSource& source;
@@ -144,8 +140,10 @@ class Chain {
   /// The name of the stage in the configuration.
   std::string nameOf(Role role) const;
   /// Whether the run continues after an answer with this status (`on_failure` of the stage).
-  bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
-                   Role role);
+  bool applyPolicy(const Status& status, std::int64_t frame, Role role);
+  bool stopsFor(Role role) const {
+    return policies_[static_cast<std::size_t>(role)] == config::FailurePolicy::Stop;
+  }
   void warn(std::int64_t frame, Role role, const std::string& text);
   bool acceptMotion(FrameRecords& records);
   bool acceptScale(const Motion& motion);
@@ -159,9 +157,9 @@ class Chain {
   std::vector<MotionRevision> finishStages();
   /// Calls `work` of finish(), adds its time, and applies the policy of the role. False on failure.
   template <class Work>
-  bool finishing(Role role, config::FailurePolicy policy, const Work& work) {
+  bool finishing(Role role, const Work& work) {
     const Status status = timed(finish_times_ns_, role, work);
-    (void)applyPolicy(status, policy, -1, role);
+    (void)applyPolicy(status, -1, role);
     return status.isOk();
   }
   void completeCounters();

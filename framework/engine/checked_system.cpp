@@ -188,7 +188,7 @@ bool hasChain(const SystemOptions& options) {
                      [&](std::string_view stage) { return loaded.tree.find(stage) != nullptr; });
 }
 
-std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, Scope scope) {
+CheckedSystem checkSystem(const SystemOptions& options, Scope scope) {
   config::Loaded loaded = config::load(options.config, options.overrides,
                                        config::processEnvironment(), options.find_shipped);
   config::Problems problems = loaded.problems;
@@ -204,7 +204,7 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
     try {
       opened = opening([&] { return open(catalogue, stage, checked.config, options); });
     } catch (const Failure& refused) {
-      if (refused.kind == FailureKind::Machine) return refused;
+      if (refused.kind == FailureKind::Machine) throw;
       problems.push_back(
           {stage.pluginOrigin(), stage.path + ".plugin", refused.what(), Kind::Plugin});
       continue;
@@ -225,8 +225,8 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
   if (problems.empty()) return checked;
   const bool only_plugins = std::ranges::all_of(
       problems, [](const config::Problem& p) { return p.kind == Kind::Plugin; });
-  return Failure{only_plugins ? FailureKind::Plugin : FailureKind::Configuration,
-                 config::format(problems)};
+  throw Failure{only_plugins ? FailureKind::Plugin : FailureKind::Configuration,
+                config::format(problems)};
 }
 
 InputPaths inputPaths(const config::SystemConfig& config, const config::StageValues& values,

@@ -9,7 +9,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "config/loader.hpp"
@@ -75,9 +74,8 @@ enum class Scope : std::uint8_t {
   Source
 };
 
-/// The failure lists all problems of files, values and plugins at once.
-std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options,
-                                                 Scope scope = Scope::All);
+/// Throws Failure, which lists all problems of files, values and plugins at once.
+CheckedSystem checkSystem(const SystemOptions& options, Scope scope = Scope::All);
 
 /// Whether the configuration has any of odometry, place, cells and map. False for a file that
 /// cannot be read: checkSystem() reports why.

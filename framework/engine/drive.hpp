@@ -34,9 +34,9 @@ struct Latency {
 };
 
 struct DriveResult {
-  std::optional<Failure> failure;  ///< what stopped the run early, if anything
+  std::optional<Failure> failure;
   bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
-  RunCounters counters;
+  RunCounters counters;      ///< also whether odometry was lost at the end
   StageTimes finish_times_ns{};  ///< time that finish() of each stage took
   Latency latency{};             ///< of a realtime run
 };

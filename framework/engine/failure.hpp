@@ -10,7 +10,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "host/guard.hpp"
 #include "host/manifest.hpp"
@@ -70,11 +69,6 @@ template <class T>
 T require(Result<T> result, FailureKind kind) {
   require(result.status(), kind);
   return std::move(result).value();
-}
-template <class T>
-T require(std::variant<T, Failure> answer) {
-  if (auto* failure = std::get_if<Failure>(&answer)) throw std::move(*failure);
-  return std::get<T>(std::move(answer));
 }
 /// Calls `work`, which opens plugins; the refusal of one becomes a failure of `stage`.
 template <class Work>

@@ -17,9 +17,6 @@
 
 namespace tolman::engine {
 
-/// The images that a frame has.
-enum class Views : std::uint8_t { Pair, Single, Depth, None };
-
 /// Counters of the health of a run.
 struct RunCounters {
   std::int64_t frames = 0;      ///< processed
@@ -39,8 +36,6 @@ struct RunCounters {
   std::int64_t links = 0;           ///< of the same graph as experiences, without rejected ones
   std::int64_t loop_links = 0;      ///< those of kind LinkKind::Loop
   bool lost_at_end = false;
-  Views views =
-      Views::Pair;  ///< of the newest frame without a defect, for a hint; no count, not visited
 
   /// Calls visit(name, value) for each count.
   template <class Self, class Visit>

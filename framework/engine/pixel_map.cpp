@@ -6,161 +6,18 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "engine/rectified_view.hpp"
-
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
 
 namespace tolman::engine {
 
 namespace {
 
-constexpr int kGroup = 8;
-constexpr int kColumns = 16;         // most columns of the raw image for one group
-constexpr int kMaxRows = 8;          // with more rows, one pixel at a time is faster
-constexpr std::uint8_t kNone = 128;  // a column with the value 0
-
-template <int Channels>
-void interpolatePositions(const Image& raw, std::span<const RawPosition> positions,
-                          std::uint8_t* out) {
-  const std::uint8_t* const data = raw.data();
-  const std::ptrdiff_t stride = raw.stride();
-  for (const RawPosition& position : positions) {
-    if (position.right != RawPosition::kNowhere) {
-      const std::uint8_t* above = data + position.y * stride + position.x * Channels;
-      const std::uint8_t* below = above + stride;
-      for (int k = 0; k < Channels; ++k) {
-        const int upper =
-            above[k] * (kParts - position.right) + above[k + Channels] * position.right;
-        const int lower =
-            below[k] * (kParts - position.right) + below[k + Channels] * position.right;
-        const int down = ((lower - upper) * position.below + kParts / 2) >> 6;
-        out[k] = static_cast<std::uint8_t>((upper + down + kParts / 2) >> 6);
-      }
-    }
-    out += Channels;
-  }
-}
-
-#ifdef __x86_64__
-
-[[gnu::target("sse4.1")]] inline __m128i load8(const std::uint8_t* from) {
-  return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(from));
-}
-
-[[gnu::target("sse4.1")]] inline __m128i load16(const std::uint8_t* from) {
-  return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
-}
-
-/// Selects the pairs of columns from each raw row, and keeps them in the lanes that use this row.
-[[gnu::target("sse4.1")]] inline __m128i interpolateGroup(const PixelGroup& group,
-                                                          const std::uint8_t* row,
-                                                          std::ptrdiff_t stride) {
-  const __m128i columns = load8(group.column);
-  const __m128i pairs = _mm_unpacklo_epi8(columns, _mm_add_epi8(columns, _mm_set1_epi8(1)));
-  const __m128i rows = _mm_unpacklo_epi8(load8(group.row), load8(group.row));
-  __m128i above = _mm_shuffle_epi8(load16(row), pairs);
-  __m128i below = _mm_shuffle_epi8(load16(row += stride), pairs);
-  __m128i last = below;
-  for (std::uint32_t r = 1; r < group.rows; ++r) {
-    const __m128i next = _mm_shuffle_epi8(load16(row += stride), pairs);
-    const __m128i here = _mm_cmpeq_epi8(rows, _mm_set1_epi8(static_cast<char>(r)));
-    above = _mm_blendv_epi8(above, last, here);
-    below = _mm_blendv_epi8(below, next, here);
-    last = next;
-  }
-  const __m128i right = load8(group.right);
-  const __m128i shares = _mm_unpacklo_epi8(_mm_sub_epi8(_mm_set1_epi8(kParts), right), right);
-  const __m128i upper = _mm_maddubs_epi16(above, shares);
-  const __m128i lower = _mm_maddubs_epi16(below, shares);
-  // The product of mulhrs is divided by 2^15 and rounded: 2 * difference * (share * 2^8).
-  const __m128i share = _mm_unpacklo_epi8(_mm_setzero_si128(), load8(group.below));
-  const __m128i difference = _mm_sub_epi16(lower, upper);
-  const __m128i down = _mm_mulhrs_epi16(_mm_add_epi16(difference, difference), share);
-  const __m128i sum = _mm_add_epi16(_mm_add_epi16(upper, down), _mm_set1_epi16(kParts / 2));
-  return _mm_packus_epi16(_mm_srai_epi16(sum, 6), _mm_setzero_si128());
-}
-
-[[gnu::target("sse4.1")]] void interpolateGroups(const Image& raw,
-                                                 std::span<const RawPosition> positions,
-                                                 const PixelGroup* group, std::uint8_t* out) {
-  const std::size_t whole = positions.size() / kGroup * kGroup;
-  for (std::size_t at = 0; at < whole; at += kGroup, ++group, out += kGroup) {
-    if (group->rows == 0) {
-      interpolatePositions<1>(raw, positions.subspan(at, kGroup), out);
-      continue;
-    }
-    const __m128i pixels = interpolateGroup(*group, raw.row(group->y) + group->x, raw.stride());
-    _mm_storel_epi64(reinterpret_cast<__m128i*>(out), pixels);
-  }
-  interpolatePositions<1>(raw, positions.subspan(whole), out);
-}
-
-#endif
-
-PixelGroup groupOf(std::span<const RawPosition> positions, int raw_width) {
-  int x = raw_width;
-  int y = 65536;
-  int x_end = 0;
-  int y_end = 0;
-  for (const RawPosition& position : positions) {
-    if (position.right == RawPosition::kNowhere) continue;
-    x = std::min<int>(x, position.x);
-    y = std::min<int>(y, position.y);
-    x_end = std::max(x_end, position.x + 2);
-    y_end = std::max(y_end, position.y + 1);
-  }
-  x = std::max(0, std::min(x, raw_width - kColumns));
-  PixelGroup group;
-  if (x_end <= x || x_end - x > kColumns || x + kColumns > raw_width || y_end - y > kMaxRows) {
-    return group;
-  }
-  group.x = static_cast<std::uint16_t>(x);
-  group.y = static_cast<std::uint16_t>(y);
-  group.rows = static_cast<std::uint32_t>(y_end - y);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const RawPosition& position = positions[i];
-    const bool nowhere = position.right == RawPosition::kNowhere;
-    group.column[i] = nowhere ? kNone : static_cast<std::uint8_t>(position.x - x);
-    group.row[i] = nowhere ? std::uint8_t{0} : static_cast<std::uint8_t>(position.y - y);
-    group.right[i] = nowhere ? std::uint8_t{0} : position.right;
-    group.below[i] = position.below;
-  }
-  return group;
-}
-
-}  // namespace
-
-void groupPositions(std::span<const RawPosition> positions, int raw_width, PixelGroup* groups) {
-  for (; positions.size() >= kGroup; positions = positions.subspan(kGroup)) {
-    *groups++ = groupOf(positions.first(kGroup), raw_width);
-  }
-}
-
-bool hasGroupInstructions() {
-#ifdef __x86_64__
-  return __builtin_cpu_supports("sse4.1");
-#else
-  return false;
-#endif
-}
-
-void interpolateRow(const Image& raw, std::span<const RawPosition> positions,
-                    [[maybe_unused]] const PixelGroup* groups, std::uint8_t* out) {
-  if (raw.format() != PixelFormat::Gray8) return interpolatePositions<3>(raw, positions, out);
-#ifdef __x86_64__
-  if (groups != nullptr) return interpolateGroups(raw, positions, groups, out);
-#endif
-  interpolatePositions<1>(raw, positions, out);
-}
-
-namespace {
-
+constexpr int kParts = 64;       // positions are rounded to this fraction of a pixel
 constexpr int kRowsAtOnce = 32;  // rows per task
+constexpr int kBlock = 64;       // pixels whose means are calculated at once
 
 template <class Work>
 void forRows(int rows, const Work& work) {
@@ -178,43 +35,85 @@ std::uint16_t split(double at, int size, std::uint8_t& share) {
   return static_cast<std::uint16_t>(whole);
 }
 
+/// Of two neighbours in a row, the left one in the lower byte.
+std::uint16_t pairAt(const std::uint8_t* pixel, int channels) {
+  return static_cast<std::uint16_t>(pixel[0] | pixel[channels] << 8);
+}
+
+/// The mean of four neighbours by the shares of the right and the lower ones. Integers of 16 bits,
+/// so that the compiler calculates eight at once.
+std::uint8_t meanOf(std::uint16_t above, std::uint16_t below, std::uint16_t right, int down) {
+  const auto word = [](int value) { return static_cast<std::uint16_t>(value); };
+  const std::uint16_t left = word(kParts - right);
+  const std::uint16_t upper = word(word((above & 255) * left) + word((above >> 8) * right));
+  const std::uint16_t lower = word(word((below & 255) * left) + word((below >> 8) * right));
+  // (lower - upper) * down / kParts, rounded: the upper bits of the product, and its bits 5 and 6.
+  const auto step = static_cast<std::int16_t>(word(lower - upper));
+  const auto twice = static_cast<std::int16_t>(2 * step);
+  const auto share = static_cast<std::int16_t>(down << 8);
+  const std::uint16_t upper_bits = word(static_cast<std::int16_t>(twice * share >> 16));
+  const std::uint16_t bits = word(word(step * down) >> 5) & 3;
+  const std::uint16_t change = word(2 * upper_bits + ((bits + 1) >> 1));
+  return static_cast<std::uint8_t>(word(upper + change + kParts / 2) >> 6);
+}
+
 }  // namespace
 
 PixelMap::PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
-                   const CameraRig& rectified, Speed speed)
+                   const CameraRig& rectified)
     : raw_width_(raw.width),
       raw_height_(raw.height),
       width_(rectified.width),
       height_(rectified.height),
-      positions_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {
-  const bool grouped = speed == Speed::Fastest && hasGroupInstructions();
-  if (grouped) groups_.resize(firstGroup(height_));
+      pixels_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)),
+      right_(pixels_.size(), kNowhere),
+      below_(pixels_.size(), 0) {
   const Lens lens(raw);
   const Eigen::Matrix3d R_raw_rectified = R_rectified_raw.transpose();
   forRows(height_, [&](int r) {
-    RawPosition* position = positions_.data() + std::ptrdiff_t{r} * width_;
-    for (int c = 0; c < width_; ++c, ++position) {
-      const auto pixel = lens.pixelOf(R_raw_rectified * rectified.pinhole.ray({c, r}));
-      if (!pixel) continue;
-      position->x = split(pixel->x(), raw_width_, position->right);
-      position->y = split(pixel->y(), raw_height_, position->below);
+    std::size_t i = firstOf(r);
+    for (int c = 0; c < width_; ++c, ++i) {
+      const auto at = lens.pixelOf(R_raw_rectified * rectified.pinhole.ray({c, r}));
+      if (!at) continue;
+      pixels_[i] = {split(at->x(), raw_width_, right_[i]), split(at->y(), raw_height_, below_[i])};
     }
-    if (grouped) groupPositions(positionsOf(r), raw_width_, groups_.data() + firstGroup(r));
   });
 }
 
-std::span<const RawPosition> PixelMap::positionsOf(int row) const {
-  const auto width = static_cast<std::size_t>(width_);
-  return std::span(positions_).subspan(static_cast<std::size_t>(row) * width, width);
+/// The pixels are gathered in blocks, since only the means of a block are calculated at once.
+template <int Channels>
+void PixelMap::interpolateRow(const Image& raw, int row, std::uint8_t* out) const {
+  std::array<std::uint16_t, kBlock> above{};
+  std::array<std::uint16_t, kBlock> below{};
+  for (int c = 0; c < width_; c += kBlock, out += kBlock * Channels) {
+    const auto count = static_cast<std::size_t>(std::min(kBlock, width_ - c));
+    const std::size_t first = firstOf(row) + static_cast<std::size_t>(c);
+    const std::uint8_t* right = right_.data() + first;
+    const std::uint8_t* down = below_.data() + first;
+    for (int k = 0; k < Channels; ++k) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto& [x, y] = pixels_[first + i];
+        const std::uint8_t* at = raw.data() + y * raw.stride() + x * Channels + k;
+        above[i] = pairAt(at, Channels);
+        below[i] = pairAt(at + raw.stride(), Channels);
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t mean = meanOf(above[i], below[i], right[i], down[i]);
+        out[i * Channels + static_cast<std::size_t>(k)] =
+            right[i] == kNowhere ? std::uint8_t{0} : mean;
+      }
+    }
+  }
 }
 
 Image PixelMap::apply(const Image& raw) const {
   if (raw.width() != raw_width_ || raw.height() != raw_height_) return {};
+  const bool is_grey = raw.format() == PixelFormat::Gray8;
   return Image::create(width_, height_, raw.format(), [&](std::uint8_t* pixels) {
     const std::ptrdiff_t stride = std::ptrdiff_t{width_} * bytesPerPixel(raw.format());
     forRows(height_, [&](int r) {
-      const PixelGroup* groups = groups_.empty() ? nullptr : groups_.data() + firstGroup(r);
-      interpolateRow(raw, positionsOf(r), groups, pixels + r * stride);
+      std::uint8_t* out = pixels + r * stride;
+      is_grey ? interpolateRow<1>(raw, r, out) : interpolateRow<3>(raw, r, out);
     });
   });
 }
@@ -225,15 +124,13 @@ void PixelMap::apply(NamedArray& values) const {
     return;
   }
   NamedArray made{values.name, {height_, width_}, {}};
-  made.values.reserve(positions_.size());
-  for (const RawPosition& position : positions_) {
-    const int x = position.x + (position.right >= kParts / 2 ? 1 : 0);
-    const int y = position.y + (position.below >= kParts / 2 ? 1 : 0);
-    made.values.push_back(
-        position.right == RawPosition::kNowhere
-            ? 0
-            : values.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(raw_width_) +
-                            static_cast<std::size_t>(x)]);
+  made.values.reserve(pixels_.size());
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const int x = pixels_[i].x + (right_[i] >= kParts / 2 ? 1 : 0);
+    const int y = pixels_[i].y + (below_[i] >= kParts / 2 ? 1 : 0);
+    const auto nearest = static_cast<std::size_t>(y) * static_cast<std::size_t>(raw_width_) +
+                         static_cast<std::size_t>(x);
+    made.values.push_back(right_[i] == kNowhere ? 0 : values.values[nearest]);
   }
   values = std::move(made);
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bilinear interpolation at the positions of a PixelMap: one by one, or eight neighbours at once
-// where the processor has SSE4.1. Both use integer arithmetic and give the same bytes.
+// The images of a source as the stages get them: rectified, then cropped and scaled down.
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,49 +13,12 @@
 
 namespace tolman::engine {
 
-/// Positions are rounded to this fraction of a pixel: 1/64.
-constexpr int kParts = 64;
-
-/// The position in the raw image that one pixel is interpolated from.
-struct RawPosition {
-  static constexpr std::uint8_t kNowhere = 255;
-
-  std::uint16_t x = 0;  ///< the pixel above and left of the position
-  std::uint16_t y = 0;
-  std::uint8_t right = kNowhere;  ///< share of the pixels to the right, in 1/64
-  std::uint8_t below = 0;
-};
-
-/// Eight neighbours of a row. They come from at most 16 columns of the raw image, or `rows` is 0.
-struct PixelGroup {
-  std::uint16_t x = 0;       ///< first column
-  std::uint16_t y = 0;       ///< first row
-  std::uint32_t rows = 0;    ///< number of raw rows of the upper pixels
-  std::uint8_t column[8]{};  // NOLINT(modernize-avoid-c-arrays): loaded as one word
-  std::uint8_t row[8]{};     // NOLINT(modernize-avoid-c-arrays)
-  std::uint8_t right[8]{};   // NOLINT(modernize-avoid-c-arrays)
-  std::uint8_t below[8]{};   // NOLINT(modernize-avoid-c-arrays)
-};
-
-/// The groups of one row of positions; the last positions, if fewer than eight, are in no group.
-void groupPositions(std::span<const RawPosition> positions, int raw_width, PixelGroup* groups);
-
-/// Whether the processor supports groups.
-bool hasGroupInstructions();
-
-/// Interpolates a row; `groups` null: one by one. Pixels without a position are unchanged (black).
-void interpolateRow(const Image& raw, std::span<const RawPosition> positions,
-                    const PixelGroup* groups, std::uint8_t* out);
-
-// Makes the rectified image from a raw one. The positions in the raw image from which the pixels
-// are interpolated are computed once.
-
+/// Makes the rectified image from a raw one. The positions in the raw image from which the pixels
+/// are interpolated are computed once.
 class PixelMap {
  public:
-  enum class Speed : std::uint8_t { Portable, Fastest };
-
-  PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw, const CameraRig& rectified,
-           Speed speed = Speed::Fastest);
+  PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
+           const CameraRig& rectified);
 
   /// Bilinear, in steps of 1/64 px; black where the raw image shows nothing. Rows are computed in
   /// parallel; the bytes are the same for any number of threads and any processor. For a raw image
@@ -68,20 +29,27 @@ class PixelMap {
   void apply(NamedArray& values) const;
 
  private:
-  std::span<const RawPosition> positionsOf(int row) const;
-  std::size_t firstGroup(int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_ / 8);
+  /// The raw pixel above and left of a position.
+  struct RawPixel {
+    std::uint16_t x = 0;
+    std::uint16_t y = 0;
+  };
+  static constexpr std::uint8_t kNowhere = 255;
+
+  std::size_t firstOf(int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
   }
+  template <int Channels>
+  void interpolateRow(const Image& raw, int row, std::uint8_t* out) const;
 
   int raw_width_;
   int raw_height_;
   int width_;
   int height_;
-  std::vector<RawPosition> positions_;  ///< row by row
-  std::vector<PixelGroup> groups_;      ///< the same in groups, or none
+  std::vector<RawPixel> pixels_;     ///< row by row; likewise the next two
+  std::vector<std::uint8_t> right_;  ///< share of the pixels to the right, in 1/64; or kNowhere
+  std::vector<std::uint8_t> below_;  ///< share of the pixels below, likewise
 };
-
-// Crops and scales down the images of a source, and adapts their calibration.
 
 /// Weights of the pixels that each new pixel covers, along one axis.
 class PixelMeans {
@@ -105,6 +73,7 @@ class PixelMeans {
   std::vector<std::uint32_t> weights_;
 };
 
+/// Crops and scales down images, and adapts their calibration.
 class ImageCut {
  public:
   ImageCut() = default;  ///< leaves images unchanged

@@ -196,11 +196,11 @@ std::vector<std::string> changedProgramFiles(const Json& before, const Json& now
                                              std::initializer_list<Role> roles) {
   std::set<std::string> changed;
   using Files = std::map<std::string, std::string>;
-  const auto add_others = [&](const Files& files, const Files& others) {
+  const auto addOthers = [&](const Files& files, const Files& others) {
+    std::set<std::string> known;
+    for (const auto& [file, digest] : others) known.insert(digest);
     for (const auto& [file, digest] : files) {
-      const bool is_known = std::ranges::any_of(
-          others, [&d = digest](const auto& other) { return other.second == d; });
-      if (!is_known) changed.insert(file);
+      if (!known.contains(digest)) changed.insert(file);
     }
   };
   for (const Role role : roles) {

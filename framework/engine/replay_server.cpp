@@ -45,8 +45,9 @@ RecordedImages::RecordedImages(const std::filesystem::path& directory,
                                const Cancellation& cancellation) {
   const std::filesystem::path config = directory / "config.resolved.yaml";
   try {
-    auto checked = checkSystem({config.string(), {}, std::move(plugin_paths)}, Scope::Source);
-    assembly_ = std::make_unique<Assembly>(require(std::move(checked)), log_, clock, cancellation);
+    assembly_ = std::make_unique<Assembly>(
+        checkSystem({config.string(), {}, std::move(plugin_paths)}, Scope::Source), log_, clock,
+        cancellation);
   } catch (const Failure& failed) {
     end(failed.what());
   }

@@ -24,13 +24,8 @@ namespace tolman::engine {
 
 /// How a run ended. A failed or interrupted run also has counters, and figures of the frames that
 /// were recorded. It has a directory unless it failed before the directory was made.
-struct Outcome {
-  std::optional<Failure> failure;
-  bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
+struct Outcome : DriveResult {
   std::filesystem::path directory;  ///< absolute; empty if the run failed before it was created
-  RunCounters counters;             ///< also whether odometry was lost at the end
-  StageTimes finish_times_ns{};     ///< time that finish() of each stage took
-  Latency latency{};                ///< of a realtime run
   std::optional<evaluation::Metrics> metrics;  ///< of the recorded frames, if there are any
   double wall_s = 0;  ///< s, from the start of the observers until run.sqlite is closed
 };

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <vector>
 
-#include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "engine/provenance.hpp"
 #include "record/atomic_file.hpp"
@@ -149,7 +148,7 @@ std::int64_t experiencesOf(Assembly& assembly) {
 /// The state that `file` describes: at the end of a run, or of a checkpoint.
 Checkpoint load(Assembly& assembly, const fs::path& file) {
   try {
-    const auto contents = bounded_json::parse<StateJson>(textOf(file));
+    const auto contents = StateJson::parse(textOf(file), nullptr, false);
     Checkpoint state;
     state.frame = config::integerFrom<std::int64_t>(contents.at("frame"));
     if (state.frame < 0) refuseDamaged(file);

@@ -4,7 +4,6 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,6 +11,7 @@
 #include <cstdio>
 #include <mutex>
 
+#include "base/progress_display.hpp"
 #include "config/text.hpp"
 
 namespace tolman::engine {
@@ -43,18 +43,10 @@ sigset_t interruptSignals() {
 
 }  // namespace
 
-int terminalWidth(int descriptor) {
-  winsize size{};
-  const bool known = ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
+std::string wipedLine() {
+  if (::isatty(STDERR_FILENO) != 1) return {};
+  return "\r" + std::string(static_cast<std::size_t>(terminalWidth() - 1), ' ') + "\r";
 }
-
-std::string wipedLine(int descriptor) {
-  if (::isatty(descriptor) != 1) return {};
-  return "\r" + std::string(static_cast<std::size_t>(terminalWidth(descriptor) - 1), ' ') + "\r";
-}
-
-std::string printable(std::string_view text) { return config::printable(text, "?"); }
 
 struct RunLog::Implementation {
   struct Line {
@@ -67,7 +59,7 @@ struct RunLog::Implementation {
   void show(spdlog::level::level_enum level, const std::string& text) {
     if (!terminal.should_log(level)) return;
     ::flockfile(stderr);
-    std::fputs(wipedLine(STDERR_FILENO).c_str(), stderr);
+    std::fputs(wipedLine().c_str(), stderr);
     terminal.log(level, text);
     ::funlockfile(stderr);
   }
@@ -90,7 +82,8 @@ void RunLog::write(LogLevel level, std::string_view source, std::string_view mes
                    bool on_terminal) {
   const std::lock_guard lock(implementation_->mutex);
   constexpr std::size_t kLongest = 10'000;
-  std::string text = std::string(source) + ": " + printable(message.substr(0, kLongest));
+  std::string text =
+      std::string(source) + ": " + config::printable(message.substr(0, kLongest), "?");
   if (message.size() > kLongest) text += "...";
   if (on_terminal) implementation_->show(levelOf(level), text);
   if (implementation_->file) {

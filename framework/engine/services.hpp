@@ -18,16 +18,9 @@
 
 namespace tolman::engine {
 
-/// Columns of the terminal behind `descriptor`; 80 where that is not known.
-int terminalWidth(int descriptor);
-
-/// Text to write before a line on `descriptor`, so that it replaces a progress line: on a terminal
-/// blanks over the present line (they work on every terminal), elsewhere nothing.
-std::string wipedLine(int descriptor);
-
-/// Replaces control characters, which a terminal would execute, and bytes that are not UTF-8 by
-/// `?`. Line ends and tabs are kept.
-std::string printable(std::string_view text);
+/// Text to write before a line on stderr, so that it replaces a progress line: on a terminal blanks
+/// over the present line (they work on every terminal), elsewhere nothing.
+std::string wipedLine();
 
 /// The log of one run: warnings and errors go to stderr (with `quiet` errors only), all lines go to
 /// log.txt. Lines from before the file is opened are kept until then.

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/number_text.hpp"
 #include "base/text_file.hpp"
 #include "evaluation/errors.hpp"
 #include "tolman/geometry.hpp"

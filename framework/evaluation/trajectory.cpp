@@ -15,8 +15,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/number_text.hpp"
-#include "base/text_encoding.hpp"
 #include "base/text_file.hpp"
 
 namespace tolman::evaluation {

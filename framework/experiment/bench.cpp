@@ -100,8 +100,7 @@ class ChainBench {
   void pass(engine::Scope scope) {
     if (cancellation_.requested()) return;
     resetPeakResident();
-    engine::Assembly assembly(engine::require(engine::checkSystem(system_, scope)), log_, clock_,
-                              cancellation_);
+    engine::Assembly assembly(engine::checkSystem(system_, scope), log_, clock_, cancellation_);
     const host::ScratchFolder scratch("tolman-bench");
     if (scratch.path().empty()) {
       throw engine::Failure({engine::FailureKind::Record, host::kNoScratchFolder});

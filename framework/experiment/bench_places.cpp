@@ -152,8 +152,8 @@ class PlacesMeasurement {
 
  private:
   engine::Assembly open(const engine::SystemOptions& system) {
-    return {engine::require(engine::checkSystem(system, engine::Scope::SourceAndPlace)), log_,
-            clock_, cancellation_};
+    return {engine::checkSystem(system, engine::Scope::SourceAndPlace), log_, clock_,
+            cancellation_};
   }
 
   void showSecond(engine::Assembly& first, const PlaceTruth& truth) {

@@ -6,9 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "base/bounded_json.hpp"
 #include "base/must.hpp"
-#include "base/text_encoding.hpp"
+#include "base/text_file.hpp"
 #include "config/loader.hpp"
 #include "config/tree.hpp"
 #include "config/values.hpp"
@@ -61,7 +60,7 @@ bool isNeeded(const std::string& metric) {
 
 RunRow readRun(const fs::path& directory) {
   std::ifstream stream(directory / "metrics.json", std::ios::binary);
-  const Json metrics = bounded_json::parse<Json>(stream);
+  const Json metrics = Json::parse(stream, nullptr, false);
   if (!metrics.is_object()) refuseWithoutMetrics(directory);
   RunRow row;
   row.directory = directory;

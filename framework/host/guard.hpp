@@ -3,17 +3,42 @@
 // call and frame.
 #pragma once
 
+#include <cfenv>
+#include <csignal>
 #include <cstdint>
 #include <exception>
+#include <locale>
+#include <map>
 #include <new>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "host/kept_state.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::host {
+
+/// What a library may change in the thread or process of the host by being opened or called, and
+/// the host or other plugins would notice: restored at the end of the scope.
+class KeptState {
+ public:
+  /// `handlers`: also those of the signals that end a run, or that the host ignores or waits for,
+  /// which takes a dozen system calls. `changed` gets what was changed, by name; may be null.
+  KeptState(bool handlers, std::set<std::string>* changed);
+  ~KeptState();
+  KeptState(const KeptState&) = delete;
+  KeptState& operator=(const KeptState&) = delete;
+
+ private:
+  std::set<std::string>* changed_;
+  unsigned mxcsr_;
+  /// Rounding, traps, and subnormal numbers (-ffast-math flushes them to 0).
+  std::fenv_t floats_{};
+  std::string c_locale_;
+  std::locale locale_;
+  std::map<int, struct sigaction> handlers_;
+};
 
 /// The stage, plugin, call and frame of a call.
 struct CallSite {
@@ -53,12 +78,10 @@ inline bool isOutOfMemory(const Status& status) {
 }
 
 /// Calls `work`, which returns a Status, and converts an exception to a failure. The text of the
-/// exception is copied, because its object belongs to the plugin's library. What the call changes
-/// in the process, by KeptState, is restored.
+/// exception is copied, because its object belongs to the plugin's library.
 template <class Work>
 Status contained(Work&& work) noexcept {
   try {
-    const KeptState kept;
     return std::forward<Work>(work)();
   } catch (const std::bad_alloc&) {
     return thrown("threw: std::bad_alloc", " (out of memory: `ulimit -v`, or that of the machine)");
@@ -71,10 +94,15 @@ Status contained(Work&& work) noexcept {
   }
 }
 
-/// As contained(), with the call site before the message of a failure, if memory suffices.
+/// As contained(), with the call site before the message of a failure, if memory suffices, and with
+/// KeptState: handlers of signals only where the call is not for a frame.
 template <class Work>
-Status guarded(const CallSite& site, Work&& work) noexcept {
-  Status status = contained(std::forward<Work>(work));
+Status guarded(const CallSite& site, Work&& work,
+               std::set<std::string>* changed = nullptr) noexcept {
+  Status status = contained([&] {
+    const KeptState kept(site.frame < 0, changed);
+    return std::forward<Work>(work)();
+  });
   if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
   try {
     constexpr std::size_t kLongest = 10'000;

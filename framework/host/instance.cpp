@@ -17,20 +17,24 @@ void requireObject(const PluginObject& object, const Manifest& manifest) {
 
 std::unique_ptr<Instance> Instance::create(const LoadedPlugin& plugin, std::string name) {
   PluginObject object;
-  const Status status = guarded({name, plugin.manifest.id, "construct", -1}, [&] {
+  std::set<std::string> changed;
+  const auto construct = [&] {
     object = plugin.descriptor->create();
     return Status::ok();
-  });
+  };
+  const Status status = guarded({name, plugin.manifest.id, "construct", -1}, construct, &changed);
   if (!status.isOk()) {
     throw Refusal{"plugin/create-failed", status.message(),
                   "a constructor must be cheap and must not throw: move work to configure()"};
   }
   requireObject(object, plugin.manifest);
-  return std::make_unique<Instance>(plugin.manifest, std::move(name), object,
-                                    [descriptor = plugin.descriptor](Plugin* constructed) {
-                                      descriptor->destroy(constructed);
-                                      return Status::ok();
-                                    });
+  const auto destroy = [descriptor = plugin.descriptor](Plugin* constructed) {
+    descriptor->destroy(constructed);
+    return Status::ok();
+  };
+  auto made = std::make_unique<Instance>(plugin.manifest, std::move(name), object, destroy);
+  made->changed_ = std::move(changed);
+  return made;
 }
 
 Instance::Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy)
@@ -52,13 +56,13 @@ Status Instance::reset() {
 Status Instance::destroy() {
   Plugin* object = std::exchange(object_, PluginObject{}).plugin;
   if (object == nullptr) return Status::ok();
-  return guarded({name_, manifest_.id, "destroy", -1}, [&] { return destroy_(object); });
+  return guardedCall("destroy", -1, [&] { return destroy_(object); });
 }
 
 Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {
   arrays.clear();
   if (object_.arrays == nullptr) return Status::ok();
-  return guarded({name_, manifest_.id, "arrays", frame}, [&] {
+  return guardedCall("arrays", frame, [&] {
     object_.arrays->arrays(arrays);
     return shapes_.check(arrays);
   });
@@ -66,7 +70,7 @@ Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {
 
 Status Instance::describe(std::vector<ArrayInfo>& arrays) {
   if (object_.descriptions == nullptr) return Status::ok();
-  return guarded({name_, manifest_.id, "describe", -1}, [&] {
+  return guardedCall("describe", -1, [&] {
     const std::size_t before = arrays.size();
     const Status status = object_.descriptions->describe(arrays);
     if (!status.isOk() || arrays.size() < before) return status;
@@ -77,7 +81,7 @@ Status Instance::describe(std::vector<ArrayInfo>& arrays) {
 Status Instance::rawRig(RawRig& rig) {
   rig = {};
   if (object_.raw_rig == nullptr) return Status::ok();
-  return guarded({name_, manifest_.id, "rawRig", -1}, [&] {
+  return guardedCall("rawRig", -1, [&] {
     const Status status = object_.raw_rig->rawRig(rig);
     if (!status.isOk()) return status;
     const Status values = checkValues(rig);
@@ -88,7 +92,7 @@ Status Instance::rawRig(RawRig& rig) {
 Result<std::string> Instance::url() {
   if (object_.page == nullptr) return unsupported("serves no page");
   std::string url;
-  const Status status = guarded({name_, manifest_.id, "url", -1}, [&] {
+  const Status status = guardedCall("url", -1, [&] {
     url = object_.page->url();
     return Status::ok();
   });
@@ -110,8 +114,7 @@ Status saveTo(std::ostream& stream, const StateKeeper& state) {
 Result<std::string> Instance::save() {
   if (object_.state == nullptr) return unsupported("cannot save its state");
   std::ostringstream stream;
-  const Status status =
-      guarded({name_, manifest_.id, "save", -1}, [&] { return saveTo(stream, *object_.state); });
+  const Status status = guardedCall("save", -1, [&] { return saveTo(stream, *object_.state); });
   if (!status.isOk()) return status;
   return std::move(stream).str();
 }
@@ -119,7 +122,7 @@ Result<std::string> Instance::save() {
 Status Instance::load(const std::string& bytes) {
   if (object_.state == nullptr) return unsupported("cannot save its state");
   std::istringstream stream(bytes);
-  return guarded({name_, manifest_.id, "load", -1}, [&] { return object_.state->load(stream); });
+  return guardedCall("load", -1, [&] { return object_.state->load(stream); });
 }
 
 Status Instance::unsupported(const std::string& what) const {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,11 +81,17 @@ class Instance {
   /// Calls `work(role)` under the guard, with the object as its role.
   template <class RoleType, class Work>
   Status call(std::string_view what, std::int64_t frame, Work&& work) {
-    return guarded({name_, manifest_.id, what, frame},
-                   [&]() -> Status { return work(static_cast<RoleType&>(*object_.plugin)); });
+    return guardedCall(what, frame,
+                       [&]() -> Status { return work(static_cast<RoleType&>(*object_.plugin)); });
   }
+  /// What the calls so far changed in the process, and the guard restored.
+  const std::set<std::string>& changed() const { return changed_; }
 
  private:
+  template <class Work>
+  Status guardedCall(std::string_view what, std::int64_t frame, Work&& work) {
+    return guarded({name_, manifest_.id, what, frame}, std::forward<Work>(work), &changed_);
+  }
   Status unsupported(const std::string& what) const;
 
   Manifest manifest_;
@@ -92,6 +99,7 @@ class Instance {
   PluginObject object_;
   Destroy destroy_;
   ArrayShapes shapes_;
+  std::set<std::string> changed_;
 };
 
 }  // namespace tolman::host

@@ -330,17 +330,23 @@ LoadedPlugin openProgram(const boost::dll::shared_library& library, const Manife
 
 LoadedPlugin loadPlugin(const Manifest& manifest, const HostIdentity& host) {
   if (const auto refusal = checkGate(manifest, host)) throw *refusal;
-  const KeptState kept;  // constructors of the library run now
-  const auto library = openPinned(manifest);
-  if (const std::string stranger = closureOf(manifest.file).stranger; !stranger.empty()) {
-    throw Refusal{"plugin/library-conflict",
-                  subject(manifest) + " is linked with " + stranger +
-                      " is open already, which the linker takes instead",
-                  "give one of the two libraries another name, or set isolation: process for one "
-                  "of the stages"};
+  std::set<std::string> changed;
+  LoadedPlugin plugin;
+  {
+    const KeptState kept(true, &changed);  // constructors of the library run now
+    const auto library = openPinned(manifest);
+    if (const std::string stranger = closureOf(manifest.file).stranger; !stranger.empty()) {
+      throw Refusal{"plugin/library-conflict",
+                    subject(manifest) + " is linked with " + stranger +
+                        " is open already, which the linker takes instead",
+                    "give one of the two libraries another name, or set isolation: process for "
+                    "one of the stages"};
+    }
+    plugin = manifest.programs.empty() ? describe(manifest, *callEntry(library, manifest))
+                                       : openProgram(library, manifest);
   }
-  if (!manifest.programs.empty()) return openProgram(library, manifest);
-  return describe(manifest, *callEntry(library, manifest));
+  plugin.changed = std::move(changed);
+  return plugin;
 }
 
 }  // namespace tolman::host

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct LoadedPlugin {
   Manifest manifest;
   const PluginDescriptor* descriptor = nullptr;
   Schema schema;
+  std::set<std::string> changed{};  ///< by its constructors, see KeptState
 };
 
 /// Checks the gate, opens the library (all symbols resolved, none exported to others), calls the

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/open_files.hpp"
+#include "base/text_file.hpp"
 #include "config/text.hpp"
 
 namespace tolman::host {
@@ -71,9 +71,7 @@ std::string readElfSection(const std::filesystem::path& file, std::string_view n
                           "the file is damaged: build or copy it again"};
   if (!elf.readable()) {
     throw Refusal{"plugin/unreadable", path + " cannot be read",
-                  file_opening::areDescriptorsShort(1)
-                      ? "allow more open files (`ulimit -n`)"
-                      : "check that the file exists, and its permissions"};
+                  "check that the file exists, and its permissions"};
   }
   const auto magic = elf.read(0, SELFMAG);
   if (!magic || *magic != std::string_view(ELFMAG, SELFMAG)) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "base/hash.hpp"
+#include "base/codec.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::record {

@@ -13,7 +13,6 @@
 #include <system_error>
 #include <vector>
 
-#include "base/bounded_json.hpp"
 #include "config/json_text.hpp"
 #include "config/values.hpp"
 #include "record/export.hpp"
@@ -218,7 +217,7 @@ bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
 
 nlohmann::ordered_json RunDirectory::readRunFile(const std::filesystem::path& path) {
   std::ifstream file(path / "run.json");
-  auto json = bounded_json::parse<nlohmann::ordered_json>(file);
+  auto json = nlohmann::ordered_json::parse(file, nullptr, false);
   return json.is_discarded() ? nullptr : json;
 }
 

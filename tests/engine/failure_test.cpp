@@ -58,7 +58,7 @@ TEST_CASE("skip: a predicted motion stands in, marked lost, and the run goes on"
   Hooks hooks;
   hooks.odometry = failAt(7);
   ToySystem system(hooks);
-  const auto result = system.drive({}, 2, {.odometry = FailurePolicy::Skip});
+  const auto result = system.drive({}, 2, {FailurePolicy::Stop, FailurePolicy::Skip});
   CHECK_FALSE(result.failure);
   CHECK(result.counters.frames == 30);
   CHECK(result.counters.skipped == 1);
@@ -73,9 +73,9 @@ TEST_CASE("skip: place, cells and map answer nothing new for the frame") {
     Hooks hooks;
     hooks.*stage = failAt(3);
     ToySystem system(hooks);
-    const auto result = system.drive(
-        {}, 2,
-        {FailurePolicy::Skip, FailurePolicy::Skip, FailurePolicy::Skip, FailurePolicy::Skip});
+    const auto result = system.drive({}, 2,
+                                     {FailurePolicy::Skip, FailurePolicy::Skip, FailurePolicy::Skip,
+                                      FailurePolicy::Skip, FailurePolicy::Skip});
     CHECK_FALSE(result.failure);
     CHECK(result.counters.frames == 30);
     CHECK(result.counters.skipped == 1);
@@ -88,8 +88,9 @@ TEST_CASE("a stage that fails at every frame skips every frame") {
   hooks.cells = [](std::int64_t) { return Status::failed("broken"); };
   hooks.map_finish = [] { throw std::runtime_error("broken"); };
   ToySystem system(hooks);
-  const auto result = system.drive(
-      {}, 2, {FailurePolicy::Stop, FailurePolicy::Stop, FailurePolicy::Skip, FailurePolicy::Skip});
+  const auto result = system.drive({}, 2,
+                                   {FailurePolicy::Stop, FailurePolicy::Stop, FailurePolicy::Stop,
+                                    FailurePolicy::Skip, FailurePolicy::Skip});
   CHECK_FALSE(result.failure);
   CHECK(result.counters.frames == 30);
   CHECK(result.counters.skipped == 30);
@@ -127,7 +128,7 @@ TEST_CASE("a map without poses of frames that it accepted stops the run, or is r
         "poseOf() has no pose for 2 frames that update() accepted; the trajectories lack them");
   ToySystem skipping(hooks);
   const auto policy = FailurePolicy::Skip;
-  CHECK_FALSE(skipping.drive({}, 2, {policy, policy, policy, policy}).failure);
+  CHECK_FALSE(skipping.drive({}, 2, {policy, policy, policy, policy, policy}).failure);
   CHECK(skipping.diary.events.back().message.find("no pose for 2 frames") != std::string::npos);
 }
 

@@ -51,17 +51,6 @@ TEST_CASE("the cause is named: one frame, limits of checks, or images") {
   CHECK(says(impossible, "are the images rectified"));
 }
 
-TEST_CASE("the hint is of the images that there are: a pair, one camera, depth, or none") {
-  const auto [views, hint] = GENERATE(table<tolman::engine::Views, std::string>(
-      {{tolman::engine::Views::Pair, "left and right not exchanged"},
-       {tolman::engine::Views::Single, "those of the calibration"},
-       {tolman::engine::Views::Depth, "are the depth images sound"},
-       {tolman::engine::Views::None, "take a source that gives images"}}));
-  RunCounters n = counters(10, 10, 0);
-  n.views = views;
-  CHECK(says(n, hint));
-}
-
 TEST_CASE("images that are nearly black are named before their rectification is") {
   RunCounters n = counters(10, 10, 0);
   n.nearly_black = 6;

@@ -40,7 +40,7 @@ TEST_CASE("the map of an earlier session gets no motion of another scale, under 
   hooks.scale_known = [](std::int64_t) { return false; };
   ToySystem system(hooks);
   Chain chain({system.source, system.checked_odometry, system.place, system.cells, system.map},
-              {.odometry = config::FailurePolicy::Skip}, system.diary);
+              {config::FailurePolicy::Stop, config::FailurePolicy::Skip}, system.diary);
   chain.continueMap({true, "runs/monday"});
   const auto result = drive(chain, {}, 2, system.flag);
   REQUIRE(result.failure);

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "base/bounded_json.hpp"
 
 namespace tolman::web_viewer {
 
@@ -133,7 +132,7 @@ void LiveClient::opened() {
 
 /// The only command is {"type":"flow","live":true|false}: whether to send images and arrays.
 bool LiveClient::onCommand(std::string_view command) {
-  const auto json = bounded_json::parse<nlohmann::json>(command);
+  const auto json = nlohmann::json::parse(command, nullptr, false);
   const bool known = json.is_object() && json.size() == 2 && json.contains("type") &&
                      json["type"] == "flow" && json.contains("live") && json["live"].is_boolean();
   if (known) wants_arrays_ = json["live"].get<bool>();

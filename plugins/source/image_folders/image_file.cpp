@@ -9,7 +9,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/open_files.hpp"
 #include "base/text_file.hpp"
 #include "data_error.hpp"
 
@@ -78,8 +77,7 @@ std::vector<fs::path> findImages(const fs::path& folder) {
     if (isImage(entry->path())) images.push_back(entry->path());
   }
   if (failure) {
-    throw DataError(folder, file_opening::notOpened("cannot be read (" + failure.message() +
-                                                    "); check the path"));
+    throw DataError(folder, "cannot be read (" + failure.message() + "); check the path");
   }
   if (images.empty()) throw DataError(folder, "has no .png or .jpg images; check the path");
   std::ranges::sort(images);
@@ -152,10 +150,8 @@ Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   if (stream) return bytes;
   const int error = errno == 0 ? EIO : errno;
   if (error == ENOENT) return Status::invalidInput("is missing");
-  return Status::failed("cannot be read (" + std::generic_category().message(error) + ")" +
-                        (file_opening::isDescriptorLimit(error)
-                             ? file_opening::kMoreDescriptors
-                             : "; check its permissions and the disk"));
+  return Status::failed("cannot be read (" + std::generic_category().message(error) +
+                        "); check its permissions and the disk");
 }
 
 Result<coded_images::DepthValues> readDepthFile(const fs::path& file) {

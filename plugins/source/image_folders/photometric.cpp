@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "base/number_text.hpp"
 #include "base/text_file.hpp"
 #include "coded_image.hpp"
 #include "data_error.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "base/number_text.hpp"
 #include "base/text_file.hpp"
 #include "data_error.hpp"
 

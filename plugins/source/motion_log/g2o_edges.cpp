@@ -13,7 +13,6 @@
 #include <sstream>
 #include <string>
 
-#include "base/number_text.hpp"
 #include "base/text_file.hpp"
 
 namespace tolman::motion_log {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/open_files.hpp"
+#include "base/text_file.hpp"
 #include "mcap_file.hpp"
 #include "messages.hpp"
 #include "ros1_file.hpp"
@@ -79,9 +79,7 @@ Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
   }
   std::sort(files.begin(), files.end(), comesBefore);
   if (!files.empty()) return files;
-  return Status::invalidInput(
-      path.string() + ": " +
-      file_opening::notOpened("has no .mcap, .db3 or .bag file; check the path"));
+  return Status::invalidInput(path.string() + ": has no .mcap, .db3 or .bag file; check the path");
 }
 
 /// How the camera of this CameraInfo differs from that of the topic's first; empty if it does not.

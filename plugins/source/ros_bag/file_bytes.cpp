@@ -10,7 +10,7 @@
 #include <memory>
 #include <system_error>
 
-#include "base/open_files.hpp"
+#include "base/text_file.hpp"
 
 namespace tolman::ros_bag {
 
@@ -22,8 +22,7 @@ Result<FileBytes> FileBytes::open(const fs::path& path) {
   FileBytes file;
   if (fs::is_regular_file(path, failure)) file.stream_.open(path, std::ios::binary);
   if (!file.stream_.is_open()) {
-    return Status::invalidInput(path.string() + ": " +
-                                file_opening::notOpened("not a readable file; check the path"));
+    return Status::invalidInput(path.string() + ": not a readable file; check the path");
   }
   file.size_ = fs::file_size(path, failure);
   if (failure) return Status::failed(path.string() + ": has no size; check the disk");

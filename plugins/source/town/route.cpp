@@ -9,9 +9,7 @@
 #include <numbers>
 #include <optional>
 
-#include "base/number_text.hpp"
-#include "base/open_files.hpp"
-#include "base/text_encoding.hpp"
+#include "base/text_file.hpp"
 
 namespace tolman::town {
 
@@ -153,8 +151,7 @@ Result<CameraRoute> readRoute(const fs::path& file, const RouteOptions& options)
   const Result<std::vector<Eigen::Isometry3d>> poses = readPoses(stream, name, options.rate);
   if (!poses.isOk()) return poses.status();
   if (!stream.eof()) {
-    return Status::invalidInput(name + ": " +
-                                file_opening::notOpened("cannot be read; check its permissions"));
+    return Status::invalidInput(name + ": cannot be read; check its permissions");
   }
   if (poses.value().size() < 2) {
     return Status::invalidInput(name + ": has " + (poses.value().empty() ? "no pose" : "one pose") +

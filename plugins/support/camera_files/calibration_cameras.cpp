@@ -9,7 +9,6 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-#include "base/number_text.hpp"
 #include "base/text_file.hpp"
 #include "given_pinhole.hpp"
 

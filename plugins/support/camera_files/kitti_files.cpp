@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "base/number_text.hpp"
 #include "base/text_file.hpp"
 #include "calibration_cameras.hpp"
 #include "given_pinhole.hpp"

@@ -2,7 +2,6 @@
 // camera.txt of TUM's monocular sets and of DSO: "[MODEL] fx fy cx cy coefficients" in the first
 // line, width and height of the images in the second. Later lines state how that program would
 // rectify, which is the host's work here.
-#include "base/number_text.hpp"
 #include "base/text_file.hpp"
 #include "calibration_cameras.hpp"
 

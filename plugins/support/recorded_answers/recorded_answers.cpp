@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/bounded_json.hpp"
 
 namespace tolman::recorded_answers {
 
@@ -15,7 +14,7 @@ namespace {
 /// run.json there; no object where it is missing or damaged.
 nlohmann::json runFile(const std::string& run) {
   std::ifstream stream(std::filesystem::path(run) / "run.json");
-  return bounded_json::parse<nlohmann::json>(stream);
+  return nlohmann::json::parse(stream, nullptr, false);
 }
 
 std::string partOf(const std::string& status, std::int64_t promised, std::int64_t recorded) {

@@ -161,7 +161,7 @@ TEST_CASE("an image that cannot be opened is a failure, not damage") {
   REQUIRE(::setrlimit(RLIMIT_NOFILE, &before) == 0);
   CHECK(status.code() == StatusCode::Failed);
   CHECK(status.message() ==
-        "cannot be read (Too many open files); allow more open files (`ulimit -n`)");
+        "cannot be read (Too many open files); check its permissions and the disk");
   CHECK(readBytes(data.path("none.png")).status().message() == "is missing");
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/number_text.hpp"
-
 #include <catch2/catch.hpp>
 #include <limits>
+
+#include "base/text_file.hpp"
 
 namespace tolman::text_encoding {
 
