@@ -207,8 +207,8 @@ std::vector<std::string> changedProgramFiles(const Json& before, const Json& now
     const Files then = filesOf(before, role);
     const Files files = filesOf(now, role);
     if (then.empty()) continue;
-    add_others(files, then);
-    add_others(then, files);
+    addOthers(files, then);
+    addOthers(then, files);
   }
   return {changed.begin(), changed.end()};
 }
