@@ -193,6 +193,11 @@ void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
     return;
   }
   scores.ate_m = absoluteError(pairs);
+  if (hasPositionsAlone(pairs)) {
+    scores.no_horizontal = scores.no_vertical =
+        "the truth has positions alone, which do not say what is down";
+    return;
+  }
   if (const std::string problem = upAxisProblem(pairs.truth); !problem.empty()) {
     scores.no_horizontal = scores.no_vertical = problem;
     return;

@@ -184,6 +184,7 @@ TEST_CASE("a truth of another body, in other units, order or time is named with 
   CHECK(named(alone).empty());
   const Scores scores = *score(alone, drive(0.01), Alignment::Se3).scores;
   CHECK(scores.ate_m.count == alone.size());
+  CHECK(scores.vertical_m.count == 0);  // nothing says what is down
   CHECK(scores.kitti.segments + scores.rpe_frame.rotation_deg.count + scores.rotation_deg.count ==
         0);
 }
