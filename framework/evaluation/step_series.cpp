@@ -398,9 +398,10 @@ std::string armText(const Extrinsic& extrinsic) {
   std::vector<std::string> parts;
   for (int i = 0; i < 3; ++i) {
     const double arm = extrinsic.arm[i], sigma = extrinsic.sigma[i];
-    parts.push_back(!std::isfinite(sigma)      ? "unknown"
-                    : extrinsic.sigma.isZero() ? fmt::format("{:.3g}", arm)
-                                               : fmt::format("{:.2f} +- {:.2f}", arm, sigma));
+    parts.push_back(!std::isfinite(sigma) ? "unknown"
+                    : extrinsic.sigma.isZero()
+                        ? fmt::format("{:.3g}", arm)
+                        : fmt::format("{0:.{2}f} +- {1:.{2}f}", arm, sigma, sigma < 0.005 ? 3 : 2));
   }
   return fmt::format("({}) m in the camera (x right, y down, z forward)", fmt::join(parts, ", "));
 }

@@ -166,7 +166,7 @@ TEST_CASE("a truth of another body, in other units, order or time is named with 
   CHECK_THAT(named(changed(drive(), bodyAt({3, 0, -20}, 120, diagonal))),
              Catch::Contains("of a body at (3.") && Catch::Contains("-19.99 +- 0.02"));
   CHECK_THAT(doubtsOf(changed(drive(), bodyAt({0, 0, -5}, 0, {1, 0, 0})), drive(0.0001)),
-             Catch::Contains("of a point at (-0.0") && Catch::Contains("-5.00 +- 0.0"));
+             Catch::Contains("of a point at (-0.0") && Catch::Contains("-5.00"));
   for (const int axis : {0, 1, 2}) {
     CHECK_THAT(named(changed(drive(), mirrored(axis, true))),
                Catch::Contains("if one of the two has left-handed axes"));

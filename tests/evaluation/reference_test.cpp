@@ -115,7 +115,7 @@ TEST_CASE("truth of another point, body, clock or unit, and a restart, with thei
   }
   CHECK(foundDoubts(truth, input("half.tum"), kNear / 2).empty());
   CHECK_THAT(foundDoubts(input("lever.tum"), truth),
-             Catch::Contains("of a point at (0.20 +- 0.00"));
+             Catch::Contains("of a point at (0.200 +- 0.000"));
   CHECK_THAT(foundDoubts(input("body.tum"), noisy), Catch::Contains("turned by 120 degrees"));
   CHECK_THAT(foundDoubts(truth, input("scaled.tum")), Catch::Contains("is multiplied by 2.68"));
   CHECK_THAT(
