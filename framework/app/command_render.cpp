@@ -71,12 +71,11 @@ class Rendering {
     while (!cancellation.requested() && taken_ != frames_) {
       const auto next = std::make_shared<Frame>();
       Frame& frame = *next;
-      Status status = source_.next(frame);
+      const Status status = source_.next(frame);
       if (status.code() == StatusCode::EndOfStream) return nullptr;
       ++taken_;
       const bool has_pair = !info_.rig.isStereo() || !frame.right.empty();
       const bool is_whole = frame.defect.empty() && !frame.left.empty() && has_pair;
-      if (status.isOk() && is_whole) status = check(frame);
       if (!status.isOk()) {
         outcome_.source = status;
         return nullptr;
@@ -106,25 +105,11 @@ class Rendering {
     progress_.step();
   }
 
-  /// All images must have one format, and depth must be there where it was requested.
-  Status check(const Frame& frame) {
-    const std::string at = "frame " + std::to_string(frame.frame) + ": ";
-    if (drive_.stamps_ns.empty()) format_ = frame.left.format();
-    if (frame.left.format() != format_) {
-      return Status::failed(at +
-                            "the source changes between grey and colour; a KITTI folder has one of "
-                            "the two");
-    }
-    if (depth_.empty()) return Status::ok();
-    const auto depth = std::ranges::find(frame.sensors, depth_, &NamedArray::name);
-    const std::vector<int> shape = {info_.rig.height, info_.rig.width};
-    if (depth != frame.sensors.end() && depth->shape == shape) return Status::ok();
-    return Status::failed(at + "the source gives no sensor array '" + depth_ +
-                          "' of the shape {height, width}; leave out --depth");
-  }
-
   void write(std::int64_t index, const Frame& frame) {
-    engine::require(folder_.writeFrame(index, frame, depth_), engine::FailureKind::Record);
+    const Status status = folder_.writeFrame(index, frame, depth_);
+    const bool is_of_source = status.code() == StatusCode::InvalidInput;
+    engine::require(status,
+                    is_of_source ? engine::FailureKind::Dataset : engine::FailureKind::Record);
     progress_.step();
   }
 
@@ -148,7 +133,6 @@ class Rendering {
   DriveLog drive_;
   RenderOutcome outcome_;
   std::int64_t taken_ = 0;
-  PixelFormat format_ = PixelFormat::Gray8;
 };
 
 /// Whether the source reads from `out`. Such a folder must not be replaced.

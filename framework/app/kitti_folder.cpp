@@ -143,9 +143,12 @@ Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
   if (status.isOk() && !frame.right.empty()) {
     status = writeImage(colour ? "image_3" : "image_1", index, encodePng(frame.right));
   }
+  if (!status.isOk() || depth.empty()) return status;
   const auto map = std::ranges::find(frame.sensors, depth, &NamedArray::name);
-  if (!status.isOk() || map == frame.sensors.end()) return status;
-  return writeImage("depth_0", index, encodeDepthPng(*map));
+  if (map != frame.sensors.end()) return writeImage("depth_0", index, encodeDepthPng(*map));
+  return Status::invalidInput("frame " + std::to_string(frame.frame) +
+                              ": the source gives no sensor array '" + depth +
+                              "'; leave out --depth");
 }
 
 Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,

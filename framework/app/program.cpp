@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/program.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -22,6 +25,30 @@
 namespace tolman::app {
 
 namespace {
+
+/// A closed pipe and a full disk are errors of the writes, not the end of the process. Closed
+/// standard streams, whose numbers the next opened files would take, are opened again.
+void prepareStreams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  int descriptor = 0;
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::open("/dev/null", O_RDONLY);
+  if (descriptor >= 0) ::close(descriptor);
+}
+
+/// Saved states and tables of whole runs get their own pages, which return to the system when they
+/// are freed. By default glibc raises this limit to the largest buffer freed so far, and long-lived
+/// blocks between such buffers then double the memory growth of a run. Images are smaller: their
+/// own pages would cost 5 ms a frame. Freed memory at the end of the heap is kept for the next
+/// frame; the watchdog returns it.
+void limitFragmentation() {
+#ifdef __GLIBC__
+  constexpr int kLargeBuffer = 4 << 20;  // bytes
+  constexpr int kMaxKept = 256 << 20;    // bytes
+  ::mallopt(M_MMAP_THRESHOLD, kLargeBuffer);
+  ::mallopt(M_TRIM_THRESHOLD, kMaxKept);
+#endif
+}
 
 struct Example {
   std::string_view command;
@@ -196,7 +223,9 @@ void failUnless(const Status& status) {
   if (!status.isOk()) fail(exitCode(status), status.message());
 }
 
-int runProgram(const std::vector<std::string>& command_line) {
+int runProgram(const std::vector<std::string>& command_line) try {
+  prepareStreams();
+  limitFragmentation();
   CLI::App app{"Tolman: neurobiologically inspired visual SLAM from swappable plugins.", "tolman"};
   app.require_subcommand(1);
   app.fallthrough();
@@ -217,6 +246,9 @@ int runProgram(const std::vector<std::string>& command_line) {
   addStageCommand(app);
   addExamples(app, "tolman");
   return static_cast<int>(parse(app, wordsOf(command_line), invocation));
+} catch (const std::bad_alloc&) {
+  std::cerr << "tolman: out of memory\n";
+  return static_cast<int>(ExitCode::Internal);
 }
 
 ExitCode printFailure(ExitCode code, const std::string& message) {

@@ -176,20 +176,6 @@ Status assign(Node& tree, const std::vector<std::string>& path, Node value, cons
   return Status::ok();
 }
 
-/// Fails if YAML dropped a part of the given text (a comment, outer blanks, a line break), so that
-/// a path with such characters does not become another path.
-Status refuseLoss(const Node& value, const std::string& given) {
-  constexpr std::array kNulls = {"", "~", "null", "Null", "NULL"};
-  const bool is_null = value.kind == Node::Kind::Null;
-  const bool lost_all = is_null && std::ranges::find(kNulls, given) == kNulls.end();
-  const bool has_variables = given.find("${") != std::string::npos;
-  const bool lost_some = value.isScalar() && !value.quoted && !has_variables && value.text != given;
-  if (!lost_all && !lost_some) return Status::ok();
-  return Status::invalidParameter("YAML reads this as " +
-                                  (is_null ? "nothing" : "'" + value.text + "'") +
-                                  "; put the value into quotes: --set 'key=\"value\"'");
-}
-
 Status applyOverride(Node& tree, const std::string& argument, const Origin& origin,
                      const Environment& environment, Problems& problems) {
   const std::size_t equals = argument.find('=');
@@ -199,10 +185,9 @@ Status applyOverride(Node& tree, const std::string& argument, const Origin& orig
   const std::string path = argument.substr(0, equals);
   const auto parts = partsOf(path);
   if (!parts.isOk()) return parts.status();
-  const std::string given = argument.substr(equals + 1);
-  std::optional<Node> value = readYaml(given, origin, problems, environment, path);
+  std::optional<Node> value =
+      readYaml(argument.substr(equals + 1), origin, problems, environment, path);
   if (!value) return Status::ok();  // readYaml() has reported the reason
-  if (Status lost = refuseLoss(*value, given); !lost.isOk()) return lost;
   return assign(tree, parts.value(), std::move(*value), origin);
 }
 

@@ -2,7 +2,7 @@
 #include "config/text.hpp"
 
 #include <algorithm>
-#include <array>
+#include <boost/locale/utf.hpp>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -17,42 +17,9 @@ char folded(char c) {
 
 bool sameLetter(char a, char b) { return folded(a) == folded(b); }
 
-/// Unicode's ranges without printable characters: control characters, surrogates, and the two that
-/// XML forbids.
+/// Control characters, and the two that XML forbids.
 constexpr bool isControl(std::uint32_t c) {
-  return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0xd800 && c < 0xe000) || c == 0xfffe ||
-         c == 0xffff;
-}
-
-/// Length of a UTF-8 character by its first byte; 0 if no character begins with this byte.
-constexpr std::size_t lengthOf(std::uint8_t first) {
-  if (first < 0x80) return 1;
-  if (first < 0xc2) return 0;
-  if (first < 0xe0) return 2;
-  if (first < 0xf0) return 3;
-  return first < 0xf5 ? 4 : 0;
-}
-
-struct Character {
-  std::size_t length;  ///< bytes, at least 1
-  bool is_printable;
-};
-
-/// The first character of a text that is not empty.
-Character firstOf(std::string_view text) {
-  constexpr Character kNone = {1, false};
-  const auto first = static_cast<std::uint8_t>(text[0]);
-  const std::size_t length = lengthOf(first);
-  if (length == 0 || length > text.size()) return kNone;
-  std::uint32_t c = length == 1 ? first : first & (0x7fU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    const auto next = static_cast<std::uint8_t>(text[i]);
-    if ((next & 0xc0U) != 0x80U) return kNone;
-    c = c << 6U | (next & 0x3fU);
-  }
-  constexpr std::array<std::uint32_t, 5> kMin = {0, 0, 0x80, 0x800, 0x10000};
-  if (c < kMin.at(length) || c > 0x10ffff) return kNone;
-  return {length, !isControl(c)};
+  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xfffe || c == 0xffff;
 }
 
 }  // namespace
@@ -107,14 +74,18 @@ bool isPrintable(std::string_view text) {
 }
 
 std::string printable(std::string_view text, std::string_view instead) {
+  namespace utf = boost::locale::utf;
   std::string safe;
   safe.reserve(text.size());
   while (!text.empty()) {
-    const bool is_space = text[0] == '\n' || text[0] == '\t';
-    const Character character = firstOf(text);
-    const bool stays = is_space || character.is_printable;
-    safe.append(stays ? text.substr(0, character.length) : instead);
-    text.remove_prefix(character.length);
+    const char* next = text.data();
+    const auto c = utf::utf_traits<char>::decode(next, text.data() + text.size());
+    const bool is_character = c != utf::illegal && c != utf::incomplete;
+    const std::size_t length =
+        is_character ? static_cast<std::size_t>(next - text.data()) : std::size_t{1};
+    const bool stays = is_character && (c == '\n' || c == '\t' || !isControl(c));
+    safe.append(stays ? text.substr(0, length) : instead);
+    text.remove_prefix(length);
   }
   return safe;
 }

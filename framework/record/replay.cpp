@@ -6,10 +6,16 @@
 namespace tolman::record {
 namespace {
 
+constexpr const char* kOfFrame = "WHERE \"frame\" = ?";
+
+/// The last frame to read; of an unfinished run the one before the newest.
 std::int64_t lastShown(const Database& database, bool unfinished) {
-  Statement row(database, "SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"");
+  const char* newest =
+      unfinished ? " WHERE \"frame\" < (SELECT max(\"frame\") FROM \"frame\")" : "";
+  Statement row(database,
+                std::string("SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"") + newest);
   row.step();
-  return row.next().getInt64() - (unfinished ? 1 : 0);
+  return row.next().getInt64();
 }
 
 template <class T>
@@ -32,32 +38,6 @@ Snapshot RecordedFrame::snapshot() const {
   return snapshot;
 }
 
-template <Record R>
-Replay::Cursor<R>::Cursor(const Database& database, const std::string& key_column,
-                          std::int64_t after)
-    : rows(database, "SELECT " + key_column + ", " + columnList(columnsOf<R>()) + " FROM \"" +
-                         R::kRecord + "\" WHERE " + key_column + " > ? ORDER BY " + key_column) {
-  rows.bindNext(after);
-  advance();
-}
-
-template <Record R>
-void Replay::Cursor<R>::advance() {
-  ahead.reset();
-  if (!rows.step()) return;
-  key = rows.next().getInt64();
-  Codec<R>::read(rows, ahead.emplace());
-}
-
-template <Record R>
-std::optional<R> Replay::Cursor<R>::take(std::int64_t frame) {
-  while (ahead && ahead->frame < frame) advance();
-  if (!ahead || ahead->frame != frame) return std::nullopt;
-  std::optional<R> taken = std::move(ahead);
-  advance();
-  return taken;
-}
-
 Result<std::unique_ptr<Replay>> Replay::open(const RunReader& reader, ReplayPosition position,
                                              bool unfinished) {
   std::unique_ptr<Replay> replay;
@@ -69,40 +49,52 @@ Result<std::unique_ptr<Replay>> Replay::open(const RunReader& reader, ReplayPosi
 }
 
 Replay::Replay(const RunReader& reader, ReplayPosition position, bool unfinished)
-    : reader_(reader),
+    : name_((reader.directory() / "run.sqlite").string()),
       position_(std::move(position)),
       unfinished_(unfinished),
       end_(lastShown(reader.database(), unfinished)),
-      frames_(reader.database(), "frame", position_.frame),
-      motions_(reader.database(), "frame", position_.frame),
-      places_(reader.database(), "frame", position_.frame),
-      decisions_(reader.database(), "frame", position_.frame),
-      maps_(reader.database(), "frame", position_.frame),
-      times_(reader.database(), "rowid", position_.timing_row),
-      events_(reader.database(), "rowid", position_.event_row),
-      arrays_(reader.database(), "WHERE \"frame\" = ? AND \"source\" = 'cells'") {}
+      frames_(reader.database(),
+              "WHERE \"frame\" = (SELECT min(\"frame\") FROM \"frame\" WHERE \"frame\" > ?)"),
+      motions_(reader.database(), kOfFrame),
+      places_(reader.database(), kOfFrame),
+      decisions_(reader.database(), kOfFrame),
+      maps_(reader.database(), kOfFrame),
+      arrays_(reader.database(), std::string(kOfFrame) + " AND \"source\" = 'cells'") {
+  forEachRow<RecordedTiming>(
+      reader.database(), "WHERE \"frame\" > " + std::to_string(position_.frame),
+      [&](const RecordedTiming& row) {
+        const auto role = valueNamed<Role>(row.stage);
+        if (role) times_[row.frame][static_cast<std::size_t>(*role)] = row.duration_ns;
+      });
+  forEachRow<RecordedEvent>(reader.database(), "WHERE rowid > " + std::to_string(position_.events),
+                            [&](const RecordedEvent& row) { events_.push_back(row); });
+}
 
 Result<bool> Replay::next(RecordedFrame& recorded) {
-  if (!frames_.ahead || frames_.ahead->frame > end_) return false;
+  if (position_.frame >= end_) return false;
   recorded = RecordedFrame();
-  const Status status =
-      guarded((reader_.directory() / "run.sqlite").string(), [&] { fill(recorded); });
+  const Status status = guarded(name_, [&] { fill(recorded); });
   if (!status.isOk()) return status;
   return true;
 }
 
+/// Events without a frame (-1) belong to the next one, those after the last to the last.
 void Replay::fill(RecordedFrame& recorded) {
-  const std::int64_t frame = frames_.ahead->frame;
-  recorded.frame = *frames_.take(frame);
-  recorded.motion = motions_.take(frame);
+  const auto take = [](auto& into) { return [&into](auto&& row) { into = std::move(row); }; };
+  frames_.each(take(recorded.frame), position_.frame);
+  const std::int64_t frame = position_.frame = recorded.frame.frame;
+  motions_.each(take(recorded.motion), frame);
   if (recorded.motion) restorePoints(*recorded.motion);
-  recorded.place = places_.take(frame);
-  recorded.decision = decisions_.take(frame);
-  recorded.map = maps_.take(frame);
+  places_.each(take(recorded.place), frame);
+  decisions_.each(take(recorded.decision), frame);
+  maps_.each(take(recorded.map), frame);
   arrays_.each([&](const RecordedArray& row) { recorded.cells.push_back(arrayOf(row)); }, frame);
-  takeTimes(recorded);
-  takeEvents(recorded);
-  position_.frame = frame;
+  recorded.stage_times_ns = times_[frame];
+  const bool is_last = !unfinished_ && frame == end_;
+  for (; next_event_ < events_.size() && (is_last || events_[next_event_].frame <= frame);
+       ++next_event_, ++position_.events) {
+    recorded.events.push_back(events_[next_event_]);
+  }
 }
 
 /// Restores the points of a motion: the recorder stores those of a points_frame only once.
@@ -112,28 +104,6 @@ void Replay::restorePoints(Motion& motion) {
     position_.points = motion.points;
   } else if (motion.points_frame >= 0 && motion.points_frame == position_.points_frame) {
     motion.points = position_.points;
-  }
-}
-
-/// Takes the timing rows of the frame; rows are in the order of frames.
-void Replay::takeTimes(RecordedFrame& recorded) {
-  for (; times_.ahead && times_.ahead->frame <= recorded.frame.frame; times_.advance()) {
-    const auto role = valueNamed<Role>(times_.ahead->stage);
-    if (role && times_.ahead->frame == recorded.frame.frame) {
-      recorded.stage_times_ns[static_cast<std::size_t>(*role)] = times_.ahead->duration_ns;
-    }
-    position_.timing_row = times_.key;
-  }
-}
-
-/// Takes the events of the frame, events without a frame (-1) before it, and at the last frame all
-/// remaining events.
-void Replay::takeEvents(RecordedFrame& recorded) {
-  const bool last = !unfinished_ && !frames_.ahead;
-  for (; events_.ahead && (last || events_.ahead->frame <= recorded.frame.frame);
-       events_.advance()) {
-    recorded.events.push_back(*events_.ahead);
-    position_.event_row = events_.key;
   }
 }
 

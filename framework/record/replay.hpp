@@ -2,6 +2,7 @@
 // Reads a recorded run frame by frame, as the snapshots that its observers received.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +13,7 @@
 
 namespace tolman::record {
 
-/// The rows of one frame. Images are not recorded; sensors and revisions are not read.
+/// The rows of one frame. Images are not recorded.
 struct RecordedFrame {
   Frame frame;
   std::optional<Motion> motion;  ///< with the points of points_frame
@@ -30,8 +31,7 @@ struct RecordedFrame {
 /// The position of a replay. A replay of a reader opened later can start from it.
 struct ReplayPosition {
   std::int64_t frame = -1;
-  std::int64_t timing_row = 0;
-  std::int64_t event_row = 0;
+  std::int64_t events = 0;  ///< number of those that were given
   std::int64_t points_frame = -1;
   Eigen::Matrix<float, 4, Eigen::Dynamic> points;
 };
@@ -48,35 +48,23 @@ class Replay {
   const ReplayPosition& position() const { return position_; }
 
  private:
-  /// The rows of one kind of record in the order of a key column. It reads one row ahead.
-  template <Record R>
-  struct Cursor {
-    Cursor(const Database& database, const std::string& key_column, std::int64_t after);
-    void advance();
-    std::optional<R> take(std::int64_t frame);
-    Statement rows;
-    std::int64_t key = 0;  ///< of `ahead`
-    std::optional<R> ahead;
-  };
-
   Replay(const RunReader& reader, ReplayPosition position, bool unfinished);
   void fill(RecordedFrame& recorded);
   void restorePoints(Motion& motion);
-  void takeTimes(RecordedFrame& recorded);
-  void takeEvents(RecordedFrame& recorded);
 
-  const RunReader& reader_;
+  std::string name_;  ///< of the file, for messages
   ReplayPosition position_;
   bool unfinished_;
   std::int64_t end_;  ///< last frame to read
-  Cursor<Frame> frames_;
-  Cursor<Motion> motions_;
-  Cursor<PlaceObservation> places_;
-  Cursor<Decision> decisions_;
-  Cursor<MapUpdate> maps_;
-  Cursor<RecordedTiming> times_;
-  Cursor<RecordedEvent> events_;
-  RowsOf<RecordedArray> arrays_;  ///< of the cells at one frame
+  RowsOf<Frame> frames_;
+  RowsOf<Motion> motions_;
+  RowsOf<PlaceObservation> places_;
+  RowsOf<Decision> decisions_;
+  RowsOf<MapUpdate> maps_;
+  RowsOf<RecordedArray> arrays_;              ///< of the cells
+  std::map<std::int64_t, StageTimes> times_;  ///< by frame
+  std::vector<RunEvent> events_;              ///< from `position` on
+  std::size_t next_event_ = 0;
 };
 
 }  // namespace tolman::record

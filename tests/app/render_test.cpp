@@ -214,8 +214,7 @@ TEST_CASE("refusals name the remedy") {
   std::ofstream(easel.folder.path() / "empty.yaml") << "seed: 1\n";
   SECTION("depth is declared, but does not come") {
     easel.refused({"--depth", "--set", "source.forget_depth=true", "--quiet"}, 5,
-                  "frame 0: the source gives no sensor array 'depth.left' of the shape {height, "
-                  "width}; leave out --depth\n");
+                  "frame 0: the source gives no sensor array 'depth.left'; leave out --depth\n");
   }
   SECTION("no source") {
     const Finished finished = tolman::test::tolman(

@@ -93,15 +93,6 @@ TEST_CASE("An illegal --set is reported as typed") {
       {"name=${NOWHERE}",
        "--set name=${NOWHERE}: name: the environment variable NOWHERE is not set; set it or write "
        "${NOWHERE:-default}\n"},
-      {"source.path=a #2",
-       "--set source.path=a #2: YAML reads this as 'a'; put the value into quotes: --set "
-       "'key=\"value\"'\n"},
-      {"source.path=# a",
-       "--set source.path=# a: YAML reads this as nothing; put the value into quotes: --set "
-       "'key=\"value\"'\n"},
-      {"source.path=a ",
-       "--set source.path=a : YAML reads this as 'a'; put the value into quotes: --set "
-       "'key=\"value\"'\n"},
       {"odometry.plugni=x",
        "--set odometry.plugni=x: odometry.plugni: unknown parameter; did you mean 'plugin'? "
        "(parameters of plugin toy_odometry: active_points, scale, pyramid, solver)\n"},
