@@ -98,6 +98,9 @@ std::string healthText(const engine::Outcome& outcome) {
                             outcome.latency.median_ms, outcome.latency.p99_ms);
 }
 
+namespace {
+
+/// Alignment, coverage, ATE, drift, for odometry and map, cells, and time per stage.
 std::string figuresText(const evaluation::Metrics& metrics) {
   std::string text = fmt::format("{:<10}mean: ", "stages");
   for (const auto& [stage, timing] : metrics.timing) {
@@ -115,6 +118,7 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
 }
 
+/// One line for each verdict.
 std::string verdictsText(const evaluation::Metrics& metrics) {
   std::string text;
   for (const std::string& verdict : evaluation::verdictsOf(metrics)) {
@@ -122,6 +126,8 @@ std::string verdictsText(const evaluation::Metrics& metrics) {
   }
   return text;
 }
+
+}  // namespace
 
 ExitCode printOutcome(const engine::Outcome& outcome, const Invocation& invocation) {
   const std::filesystem::path& directory = outcome.directory;

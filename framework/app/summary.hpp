@@ -23,12 +23,6 @@ std::string bodyText(const evaluation::Extrinsic& body);
 /// One line: errors of ring and grid modules against the truth; empty where nothing is known.
 std::string cellsText(const evaluation::CellFigures& cells);
 
-/// The figures: alignment, coverage, ATE, drift, for odometry and map, cells, and time per stage.
-std::string figuresText(const evaluation::Metrics& metrics);
-
-/// One line for each verdict.
-std::string verdictsText(const evaluation::Metrics& metrics);
-
 /// Prints how a run ended, and returns the exit code.
 ExitCode printOutcome(const engine::Outcome& outcome, const Invocation& invocation);
 

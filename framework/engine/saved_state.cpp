@@ -150,15 +150,10 @@ Checkpoint load(Assembly& assembly, const fs::path& file) {
   try {
     const auto contents = StateJson::parse(textOf(file), nullptr, false);
     Checkpoint state;
-    state.frame = config::integerFrom<std::int64_t>(contents.at("frame"));
+    contents.at("frame").get_to(state.frame);
     if (state.frame < 0) refuseDamaged(file);
     RunCounters::visit(state.counters, [&](const char* name, auto& value) {
-      const StateJson& count = contents.at("counters").at(name);
-      if constexpr (std::is_same_v<decltype(value), bool&>) {
-        count.get_to(value);
-      } else {
-        value = config::integerFrom<std::int64_t>(count);
-      }
+      contents.at("counters").at(name).get_to(value);
     });
     loadStates(assembly, file, prefixOf(file, state.frame), contents);
     return state;

@@ -2,9 +2,11 @@
 #include "record/data_digest.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <system_error>
+#include <vector>
 
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
@@ -13,6 +15,20 @@ namespace tolman::record {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxFiles = 1'000'000;
+
+struct DataFile {
+  std::string name;  ///< relative to the path that was given; empty for a single file
+  fs::path path;
+  struct stat status {};
+
+  /// Name, device, inode, size and time of modification, as one line.
+  std::string stamp() const {
+    return fmt::format("{}\n{} {} {} {} {}\n", name, status.st_dev, status.st_ino, status.st_size,
+                       status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+  }
+};
 
 void add(std::vector<DataFile>& files, const fs::path& path, const fs::path& root) {
   DataFile file{path == root ? "" : path.lexically_relative(root).string(), path, {}};
@@ -28,13 +44,7 @@ bool isRun(const fs::path& folder) {
   return fs::exists(folder / "run.json", ignored);
 }
 
-}  // namespace
-
-std::string DataFile::stamp() const {
-  return fmt::format("{}\n{} {} {} {} {}\n", name, status.st_dev, status.st_ino, status.st_size,
-                     status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
-}
-
+/// By name. Throws fs::filesystem_error.
 std::vector<DataFile> dataFiles(const fs::path& root) {
   std::vector<DataFile> files;
   if (!fs::is_directory(root)) {
@@ -55,6 +65,8 @@ std::vector<DataFile> dataFiles(const fs::path& root) {
   std::ranges::sort(files, {}, &DataFile::name);
   return files;
 }
+
+}  // namespace
 
 Result<DataDigest> digestData(const fs::path& path, const DataDigest& known, std::int64_t most) {
   std::vector<DataFile> files;

@@ -60,12 +60,6 @@ std::string secondsText(std::int64_t time_ns) {
   return fmt::format("{}{}.{:09}", time_ns < 0 ? "-" : "", size / kSecond, size % kSecond);
 }
 
-std::string poseText(const Eigen::Isometry3d& T) {
-  std::string text;
-  addPose(text, T);
-  return text;
-}
-
 std::string tumText(const evaluation::Trajectory& poses) {
   std::string text;
   for (const evaluation::TrajectoryPose& pose : poses) {

@@ -35,10 +35,8 @@ std::string numberText(double value);
 /// Seconds with nine decimals.
 std::string secondsText(std::int64_t time_ns);
 
-/// `x y z qx qy qz qw` with qw >= 0.
-std::string poseText(const Eigen::Isometry3d& T);
-
-/// Lines `stamp tx ty tz qx qy qz qw`; the stamp has nine decimals, exactly as recorded.
+/// Lines `stamp tx ty tz qx qy qz qw` with qw >= 0; the stamp has nine decimals, exactly as
+/// recorded.
 std::string tumText(const evaluation::Trajectory& poses);
 
 /// Twelve numbers per line, one line per frame from frame 0. The format has no frame numbers: a

@@ -36,6 +36,18 @@ TEST_CASE("the digest of a folder is that of the lines that sha256sum writes, in
         sha256(sha256("abc") + "  a.txt\n" + sha256("0.1\n") + "  b/times.txt\n"));
 }
 
+TEST_CASE("runs beside the data are no data, a run that is named gives its record and state") {
+  const test::TemporaryFolder folder;
+  test::writeFile(folder.path() / "times.txt", "0\n");
+  const fs::path run = folder.path() / "runs/kitti";
+  for (const char* file : {"run.json", "run.sqlite", "state/map.bin"}) {
+    test::writeFile(run / file, "x");
+  }
+  CHECK(digestData(folder.path()).value().sha256 == sha256(sha256("0\n") + "  times.txt\n"));
+  CHECK(digestData(run).value().sha256 ==
+        sha256(sha256("x") + "  run.sqlite\n" + sha256("x") + "  state/map.bin\n"));
+}
+
 TEST_CASE("a link to another folder is followed, one to a folder around it is not") {
   const test::TemporaryFolder folder;
   const test::TemporaryFolder other;

@@ -217,10 +217,9 @@ TEST_CASE("an export that cannot be written, or of a damaged map, is refused wit
   const test::TemporaryFolder folder;
   recordRun(folder.path(), 2);
   const auto absent = folder.path() / "absent";
-  CHECK(
-      exportRun(folder.path(), absent).status().message() ==
-      (absent / "odometry.tum").string() +
-          ": cannot be created; check folder and permissions (No such file or directory)");
+  CHECK(exportRun(folder.path(), absent).status().message() ==
+        (absent / "odometry.tum").string() +
+            ": cannot be created; check folder and permissions (No such file or directory)");
   test::queryByHand(folder.path(), "UPDATE experience SET id = 5");
   CHECK(exportRun(folder.path(), folder.path()).status().message() ==
         (folder.path() / "run.sqlite").string() + ": experience 0 is missing");

@@ -52,11 +52,11 @@ TEST_CASE("numbers read back exactly, and there is no negative zero") {
 TEST_CASE("quaternions are written with w >= 0") {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = Eigen::AngleAxisd(1.5 * std::numbers::pi, Eigen::Vector3d::UnitY()).matrix();
-  std::istringstream words(poseText(T));
+  std::istringstream words(tumText(evaluation::Trajectory{{0, 0, T}}));
   std::vector<double> v{std::istream_iterator<double>(words), {}};
-  REQUIRE(v.size() == 7);
-  CHECK(v[4] == Approx(-std::sqrt(0.5)));
-  CHECK(v[6] == Approx(std::sqrt(0.5)));
+  REQUIRE(v.size() == 8);
+  CHECK(v[5] == Approx(-std::sqrt(0.5)));
+  CHECK(v[7] == Approx(std::sqrt(0.5)));
 }
 
 TEST_CASE("a KITTI file has one line a frame, also for frames that were dropped") {
