@@ -79,49 +79,17 @@ Json objectOf(Json properties) {
       {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
 }
 
-/// All keys of the plugin: those that it declares, and for a program the key `file`.
-Schema keysOf(const host::LoadedPlugin& plugin) {
-  Schema keys = plugin.manifest.program.empty() ? Schema() : config::programSchema();
-  keys.insert(keys.end(), plugin.schema.begin(), plugin.schema.end());
-  return keys;
-}
-
 /// Schema of a stage with this plugin, without required keys.
 Json alternative(const host::LoadedPlugin& plugin) {
   Json properties = {{"plugin", {{"const", plugin.manifest.id}}}};
   properties["plugin"]["description"] = plugin.manifest.summary;
-  properties.update(propertiesOf(keysOf(plugin)));
+  if (!plugin.manifest.program.empty()) properties.update(propertiesOf(config::programSchema()));
+  properties.update(propertiesOf(plugin.schema));
   Json host = propertiesOf(schemaOf<config::StageSettings>());
   host.erase("plugin");
   properties.update(host);
   Json schema = objectOf(std::move(properties));
   schema["title"] = plugin.manifest.id + " (" + std::string(enumName(plugin.manifest.role)) + ")";
-  return schema;
-}
-
-Json requiredBy(const host::LoadedPlugin& plugin) {
-  Json names = Json::array();
-  for (const ParameterInfo& info : keysOf(plugin)) {
-    if (info.required) names.push_back(info.name);
-  }
-  return names;
-}
-
-/// `then` applies if the stage has this plugin.
-Json whenIs(const host::LoadedPlugin& plugin, Json then) {
-  const Json is_it = {{"properties", {{"plugin", {{"const", plugin.manifest.id}}}}},
-                      {"required", {"plugin"}}};
-  return {{"if", is_it}, {"then", std::move(then)}};
-}
-
-/// Keys that a stage must have if the file does not extend another one.
-Json completeness(const std::vector<host::LoadedPlugin>& plugins, Role role) {
-  Json schema = {{"required", {"plugin"}}};
-  for (const auto& plugin : plugins) {
-    Json names = requiredBy(plugin);
-    if (plugin.manifest.role != role || names.empty()) continue;
-    schema["allOf"].push_back(whenIs(plugin, {{"required", std::move(names)}}));
-  }
   return schema;
 }
 
@@ -141,7 +109,9 @@ void addRole(Json& definitions, const std::vector<host::LoadedPlugin>& plugins, 
     definitions[own] = alternative(plugin);
     ids.push_back(plugin.manifest.id);
     any.push_back({{"$ref", reference(own)}});
-    conditions.push_back(whenIs(plugin, any.back()));
+    const Json is_it = {{"properties", {{"plugin", {{"const", plugin.manifest.id}}}}},
+                        {"required", {"plugin"}}};
+    conditions.push_back({{"if", is_it}, {"then", any.back()}});
   }
   Json& choice = definitions[name] = {{"type", "object"}};
   choice["properties"]["plugin"] = oneOfOrVariable(ids);
@@ -149,17 +119,6 @@ void addRole(Json& definitions, const std::vector<host::LoadedPlugin>& plugins, 
   conditions.push_back(
       {{"if", {{"required", {"plugin"}}}}, {"then", true}, {"else", {{"anyOf", std::move(any)}}}});
   choice["allOf"] = std::move(conditions);
-}
-
-/// A file without `extends` must contain all stages, and each must be complete.
-Json wholeFile(const std::vector<host::LoadedPlugin>& plugins) {
-  Json schema;
-  for (const Role role : kChain) {
-    schema["required"].push_back(enumName(role));
-    schema["properties"][std::string(enumName(role))] = completeness(plugins, role);
-  }
-  schema["properties"]["observers"] = {{"items", completeness(plugins, Role::Observer)}};
-  return schema;
 }
 
 Json sections() {
@@ -191,7 +150,7 @@ Json fileSchema(const std::vector<host::LoadedPlugin>& plugins) {
   Json schema = {{"$schema", kDialect}, {"title", "Tolman configuration"}};
   schema.update(objectOf(std::move(properties)));
   schema["if"] = {{"not", {{"required", {"extends"}}}}};
-  schema["then"] = wholeFile(plugins);
+  for (const Role role : kChain) schema["then"]["required"].push_back(enumName(role));
   Json& definitions = schema["$defs"];
   for (const Role role : kChain) addRole(definitions, plugins, role);
   addRole(definitions, plugins, Role::Observer);
