@@ -104,7 +104,7 @@ TEST_CASE("The depth is limited") {
 
 TEST_CASE("Not text") {
   CHECK(config::format(read(std::string("a: 1\nb: \0", 9)).problems) ==
-        "f: has a zero byte in line 2, so it is damaged or no text; restore it\n");
+        "f: has a zero byte in line 2: it is UTF-16, damaged or no text; save it as UTF-8\n");
   CHECK_FALSE(read(std::string("\xff\xfe\x61\x00", 4)).tree);  // UTF-16
   CHECK(config::format(read(std::string("\xff\xfen\0:\0 \0a\0", 10)).problems) ==
         "f: is UTF-16; save it as UTF-8\n");
