@@ -21,8 +21,8 @@ constexpr double kCentralPeak = 0.2;
 constexpr double kNearest = 1.25;
 constexpr int kMinReach = 4;          // bins
 constexpr double kLongest = 2.0 / 3;  // largest displacement, share of the map's shorter side
-constexpr int kAngles = 120;          // samples of a full turn
-constexpr std::array<int, 4> kRotations = {10, 15, 20, 30};  // 30, 45, 60, 90 degrees
+constexpr std::size_t kAngles = 120;  // samples of a full turn
+constexpr std::array<std::size_t, 4> kRotations = {10, 15, 20, 30};  // 30, 45, 60, 90 degrees
 
 struct VisitedBin {
   int i, j;
@@ -177,38 +177,22 @@ double interpolated(const Eigen::MatrixXd& r, double x, double y) {
 }
 
 /// Correlations of a growing ring with itself after the rotations.
-class RotatedRing {
- public:
-  RotatedRing(const Eigen::MatrixXd& r, int reach) : r_(r), reach_(reach) {}
+using RingSums = std::array<Correlation, kRotations.size()>;
 
-  void grow(int radius) {
-    std::array<double, kAngles> values;
-    for (int k = 0; k < kAngles; ++k) {
-      const double angle = k * 2 * std::numbers::pi / kAngles;
-      values.at(static_cast<std::size_t>(k)) =
-          interpolated(r_, reach_ + radius * std::cos(angle), reach_ + radius * std::sin(angle));
-    }
-    for (std::size_t rotation = 0; rotation < kRotations.size(); ++rotation) {
-      for (int k = 0; k < kAngles; ++k) {
-        const double x = values.at(static_cast<std::size_t>(k));
-        const double y =
-            values.at(static_cast<std::size_t>((k + kRotations.at(rotation)) % kAngles));
-        if (!std::isnan(x) && !std::isnan(y)) sums_.at(rotation).add(x, y, radius);
-      }
+void grow(RingSums& sums, const Eigen::MatrixXd& r, int reach, int radius) {
+  std::array<double, kAngles> values;
+  for (std::size_t k = 0; k < kAngles; ++k) {
+    const double angle = static_cast<double>(k) * 2 * std::numbers::pi / kAngles;
+    values.at(k) =
+        interpolated(r, reach + radius * std::cos(angle), reach + radius * std::sin(angle));
+  }
+  for (std::size_t rotation = 0; rotation < sums.size(); ++rotation) {
+    for (std::size_t k = 0; k < kAngles; ++k) {
+      const double x = values.at(k), y = values.at((k + kRotations.at(rotation)) % kAngles);
+      if (!std::isnan(x) && !std::isnan(y)) sums.at(rotation).add(x, y, radius);
     }
   }
-  double hexagonal() const {
-    const double most = after(0) > after(3) ? after(0) : after(3);
-    return std::isnan(after(0)) ? kNan : after(2) - most;
-  }
-  double square() const { return after(3) - after(1); }
-
- private:
-  double after(std::size_t rotation) const { return sums_.at(rotation).value(); }
-  const Eigen::MatrixXd& r_;
-  int reach_;
-  std::array<Correlation, kRotations.size()> sums_;
-};
+}
 
 }  // namespace
 
@@ -252,14 +236,16 @@ std::optional<GridScores> gridScores(const RateMap& map) {
   for (const Peak& peak : peaks) tops.push_back(refined(r, reach, peak));
   GridScores scores{0, kNan, 0, peakDistance(peaks, nearest) * map.bin};
   setShape(tops, scores);
-  RotatedRing ring(r, reach);
+  RingSums sums;
+  const auto after = [&](std::size_t rotation) { return sums.at(rotation).value(); };
   for (int radius = centre + 1; radius <= reach; ++radius) {
-    ring.grow(radius);
-    const double hexagonal = ring.hexagonal();
+    grow(sums, r, reach, radius);
+    const double most = after(0) > after(3) ? after(0) : after(3);
+    const double hexagonal = std::isnan(after(0)) ? kNan : after(2) - most;
     if (radius > centre + 1) scores.langston = std::fmax(scores.langston, hexagonal);
     if (radius != outer) continue;
     scores.sargolini = hexagonal;
-    scores.square = ring.square();
+    scores.square = after(3) - after(1);
   }
   const bool known =
       !std::isnan(scores.langston) && !std::isnan(scores.sargolini) && !std::isnan(scores.square);

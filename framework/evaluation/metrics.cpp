@@ -77,16 +77,7 @@ std::map<std::int64_t, std::vector<ModulePhase>> phasesOf(
   return phases;
 }
 
-/// Decodes positions in the coordinates of the map, which has `position` at the first frame.
-PositionDecoder decoderFrom(const std::vector<ModulePhase>& modules,
-                            const Eigen::Vector2d& position, const StampedPoses& truth) {
-  Eigen::AlignedBox2d box;
-  for (const auto& [frame, at] : truth) box.extend(positionOf(at));
-  const Eigen::Vector2d margin =
-      Eigen::Vector2d::Constant(kMargin * box.sizes().maxCoeff() + modules[0].period / 2);
-  return {modules, position, box.min() - margin, box.max() + margin};
-}
-
+/// Positions are decoded in the coordinates of the map, from its position at the first frame.
 void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPoses& map,
                    const StampedPoses& truth, double scale, CellFigures& figures) {
   if (sheets.empty()) figures.position_reason = "no grid module was recorded";
@@ -94,22 +85,24 @@ void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPo
     if (figures.position_reason.empty()) figures.position_reason = noPositionReason(sheet.info);
   }
   if (!figures.position_reason.empty()) return;
+  Eigen::AlignedBox2d box;
+  for (const auto& [frame, at] : truth) box.extend(positionOf(at));
+  const double period = sheets[0].info.axes[0].period;
+  const Eigen::Vector2d margin =
+      Eigen::Vector2d::Constant(kMargin * box.sizes().maxCoeff() + period / 2);
   std::vector<double> errors;
   std::optional<PositionDecoder> decoder;
   for (const auto& [frame, modules] : phasesOf(sheets)) {
+    const auto first = map.find(frame), at = truth.find(frame);
+    if (!decoder && first == map.end()) continue;
     if (!decoder) {
-      const auto first = map.find(frame);
-      if (first == map.end()) continue;
-      decoder = decoderFrom(modules, positionOf(first->second), truth);
+      decoder.emplace(modules, positionOf(first->second), box.min() - margin, box.max() + margin);
     }
-    const auto at = truth.find(frame);
-    if (at == truth.end()) continue;
-    errors.push_back(scale * decoder->error(modules, positionOf(at->second)));
+    if (at != truth.end())
+      errors.push_back(scale * decoder->error(modules, positionOf(at->second)));
   }
   figures.position_m = statistics(std::move(errors));
-  if (sheets.size() == 1 && figures.position_m.count > 0) {
-    figures.modulo_m = scale * sheets[0].info.axes[0].period;
-  }
+  if (sheets.size() == 1 && figures.position_m.count > 0) figures.modulo_m = scale * period;
 }
 
 /// Also sets figures.least_shift_s, the longest of all populations.

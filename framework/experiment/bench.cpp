@@ -80,92 +80,75 @@ class TimingListener : public engine::Listener, public Cancellation {
   std::array<std::vector<std::int64_t>, kRoleNames.size()> durations_ns_;
 };
 
-class ChainBench {
- public:
-  ChainBench(const engine::SystemOptions& system, const BenchOptions& options, engine::RunLog& log,
-             const Cancellation& cancellation)
-      : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
-
-  Bench run() {
-    for (int i = 0; i < options_.repeats; ++i) pass(engine::Scope::Source);
-    const bool has_chain = !options_.source_only && engine::hasChain(system_);
-    for (int i = 0; has_chain && i < options_.repeats; ++i) {
-      pass(engine::Scope::WithoutObservers);
-    }
-    bench_.interrupted = cancellation_.requested();
-    return std::move(bench_);
+BenchPass sourceAlone(engine::Assembly& assembly, std::int64_t frames, const Clock& clock,
+                      const Cancellation& cancellation, const std::function<void()>& frame_done) {
+  const int threads = engine::concurrency(assembly.system().config.general.threads);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  std::vector<std::int64_t> durations_ns;
+  BenchPass pass{"source"};
+  while (pass.frames != frames && !cancellation.requested()) {
+    Frame frame;
+    const std::int64_t begin_ns = clock.steadyNs();
+    const Status status = assembly.source().next(frame);
+    const std::int64_t duration_ns = clock.steadyNs() - begin_ns;
+    if (status.code() == StatusCode::EndOfStream) break;
+    engine::require(status, engine::FailureKind::Dataset);
+    durations_ns.push_back(duration_ns);
+    pass.seconds += static_cast<double>(duration_ns) * kSecondsPerNs;
+    ++pass.frames;
+    frame_done();
   }
+  pass.peak_mib = peakResidentMib();
+  pass.stages["source"] = evaluation::stageTiming(durations_ns);
+  return pass;
+}
 
- private:
-  void pass(engine::Scope scope) {
-    if (cancellation_.requested()) return;
-    resetPeakResident();
-    engine::Assembly assembly(engine::checkSystem(system_, scope), log_, clock_, cancellation_);
-    const host::ScratchFolder scratch("tolman-bench");
-    if (scratch.path().empty()) {
-      throw engine::Failure({engine::FailureKind::Record, host::kNoScratchFolder});
-    }
-    assembly.openArtefacts(scratch.path());
-    bench_.name = assembly.system().config.general.name;
-    bench_.source = assembly.sourceInfo().description;
-    const auto frame_done = options_.progress(assembly.sourceInfo().frames);
-    BenchPass measured = scope == engine::Scope::Source ? sourceAlone(assembly, frame_done)
-                                                        : chain(assembly, frame_done);
-    if (cancellation_.requested()) return;  // an incomplete pass
-    if (measured.frames == 0) {
-      throw engine::Failure({engine::FailureKind::Dataset, "source: gave no frame to measure"});
-    }
-    bench_.passes.push_back(std::move(measured));
-  }
-
-  BenchPass sourceAlone(engine::Assembly& assembly, const std::function<void()>& frame_done) {
-    const int threads = engine::concurrency(assembly.system().config.general.threads);
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
-    std::vector<std::int64_t> durations_ns;
-    BenchPass pass{"source"};
-    while (pass.frames != options_.frames && !cancellation_.requested()) {
-      Frame frame;
-      const std::int64_t begin_ns = clock_.steadyNs();
-      const Status status = assembly.source().next(frame);
-      const std::int64_t duration_ns = clock_.steadyNs() - begin_ns;
-      if (status.code() == StatusCode::EndOfStream) break;
-      engine::require(status, engine::FailureKind::Dataset);
-      durations_ns.push_back(duration_ns);
-      pass.seconds += static_cast<double>(duration_ns) * kSecondsPerNs;
-      ++pass.frames;
-      frame_done();
-    }
-    pass.peak_mib = peakResidentMib();
-    pass.stages["source"] = evaluation::stageTiming(durations_ns);
-    return pass;
-  }
-
-  BenchPass chain(engine::Assembly& assembly, const std::function<void()>& frame_done) {
-    const config::SystemConfig& config = assembly.system().config;
-    config::PipelineSettings settings = config.pipeline;
-    settings.mode = config::PipelineMode::Lossless;
-    TimingListener timing(clock_, cancellation_, options_.frames, frame_done);
-    engine::Chain stages(assembly.stages(), assembly.policies(), timing);
-    const engine::DriveResult result =
-        engine::drive(stages, settings, config.general.threads, timing);
-    if (result.failure) throw *result.failure;
-    return timing.pass();
-  }
-
-  const engine::SystemOptions& system_;
-  const BenchOptions& options_;
-  engine::RunLog& log_;
-  const Cancellation& cancellation_;
-  engine::SteadyClock clock_;
-  Bench bench_;
-};
+BenchPass chain(engine::Assembly& assembly, TimingListener& timing) {
+  const config::SystemConfig& config = assembly.system().config;
+  config::PipelineSettings settings = config.pipeline;
+  settings.mode = config::PipelineMode::Lossless;
+  engine::Chain stages(assembly.stages(), assembly.policies(), timing);
+  const engine::DriveResult result =
+      engine::drive(stages, settings, config.general.threads, timing);
+  if (result.failure) throw *result.failure;
+  return timing.pass();
+}
 
 }  // namespace
 
 Bench runBench(const engine::SystemOptions& system, const BenchOptions& options,
                engine::RunLog& log, const Cancellation& cancellation) {
-  return ChainBench(system, options, log, cancellation).run();
+  const engine::SteadyClock clock;
+  Bench bench;
+  const auto pass = [&](engine::Scope scope) {
+    if (cancellation.requested()) return;
+    resetPeakResident();
+    engine::Assembly assembly(engine::checkSystem(system, scope), log, clock, cancellation);
+    const host::ScratchFolder scratch("tolman-bench");
+    if (scratch.path().empty()) {
+      throw engine::Failure({engine::FailureKind::Record, host::kNoScratchFolder});
+    }
+    assembly.openArtefacts(scratch.path());
+    bench.name = assembly.system().config.general.name;
+    bench.source = assembly.sourceInfo().description;
+    const auto frame_done = options.progress(assembly.sourceInfo().frames);
+    TimingListener timing(clock, cancellation, options.frames, frame_done);
+    BenchPass measured =
+        scope == engine::Scope::Source
+            ? sourceAlone(assembly, options.frames, clock, cancellation, frame_done)
+            : chain(assembly, timing);
+    if (cancellation.requested()) return;  // an incomplete pass
+    if (measured.frames == 0) {
+      throw engine::Failure({engine::FailureKind::Dataset, "source: gave no frame to measure"});
+    }
+    bench.passes.push_back(std::move(measured));
+  };
+  for (int i = 0; i < options.repeats; ++i) pass(engine::Scope::Source);
+  const bool has_chain = !options.source_only && engine::hasChain(system);
+  for (int i = 0; has_chain && i < options.repeats; ++i) pass(engine::Scope::WithoutObservers);
+  bench.interrupted = cancellation.requested();
+  return bench;
 }
 
 Table tableOf(const Bench& bench) {

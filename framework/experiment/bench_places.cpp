@@ -115,177 +115,159 @@ class Pass {
   std::int64_t last_stamp_ns_ = 0;
 };
 
-class PlacesMeasurement {
- public:
-  PlacesMeasurement(const engine::SystemOptions& system, const PlacesOptions& options,
-                    engine::RunLog& log, const Cancellation& cancellation)
-      : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
+/// Whether a parameter of the source has this value (as JSON), or the source has no such one.
+bool isSourceAt(const engine::CheckedSystem& system, const std::string& name,
+                const std::string& value) {
+  const ParameterValues& source = system.values.at(system.config.stages.front().instance);
+  const auto found = source.find(name);
+  return found == source.end() || engine::valueJson(found->second).dump() == value;
+}
 
-  PlacesBench run() {
-    engine::Assembly first = open(system_);
-    if (!options_.pairs.empty()) refuseSelection(first.system());
-    bench_.name = first.system().config.general.name;
-    bench_.plugin = first.place().instance().manifest().id;
-    Pass pass(first, options_, cancellation_);
-    pass.show(0, made_at_);
-    bench_.images = pass.images();
-    if (options_.second.empty()) {
-      const PlaceTruth truth = truthOf(pass, first.system());
-      if (options_.pairs.empty()) leaveOutUnknown(pass);
-      if (options_.pairs.empty()) {  // with true poses
-        std::vector<evaluation::PlaceClaim> turned;
-        for (const Answer& answer : pass.answers) {
-          if (answer.turned) turned.push_back(answer.claim);
-        }
-        bench_.opposite = judgeOpposite(pass.truth, std::move(turned),
-                                        first.system().config.evaluation.loop_height);
-      }
-      judge(pass, truth);
-      keepState(first);
-    } else {
-      showSecond(first, truthByNumber(pass.images(), options_.tolerance));
+[[noreturn]] void refuseBench(engine::FailureKind kind, const std::string& why) {
+  throw engine::Failure({kind, why});
+}
+
+/// Pairs number the images of the recording: all must be shown, in their order.
+void refuseSelection(const engine::CheckedSystem& system) {
+  for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
+                                    {"step", "1"},
+                                    {"order", "\"forward\""}}) {
+    if (isSourceAt(system, name, whole)) continue;
+    refuseBench(engine::FailureKind::Configuration,
+                fmt::format("--pairs numbers all images of the recording, and source.{} "
+                            "selects some; leave it at {}",
+                            name, whole));
+  }
+}
+
+std::int64_t countFindable(const PlaceTruth& truth, const Pass& pass) {
+  std::int64_t count = 0;
+  for (std::int64_t i = 0; i < pass.images(); ++i) count += truth.isFindable(i);
+  return count;
+}
+
+/// Claims about images without a true pose are neither right nor wrong.
+void leaveOutUnknown(Pass& pass, engine::RunLog& log) {
+  const std::int64_t unknown = pass.images() - std::ssize(pass.truth);
+  if (unknown == 0) return;
+  log.write(LogLevel::Warning, "source",
+            fmt::format("{} of {} images have no true pose; what is claimed of them is not judged",
+                        unknown, pass.images()));
+  std::erase_if(pass.answers, [&](const Answer& answer) {
+    return !poseOf(pass.truth, answer.claim.query) || !poseOf(pass.truth, answer.claim.place);
+  });
+}
+
+/// Of one drive.
+PlaceTruth truthOf(const Pass& pass, const engine::CheckedSystem& system,
+                   const PlacesOptions& options, bool is_cancelled) {
+  if (options.pairs.empty()) {
+    if (!pass.truth.empty()) {
+      return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options.near);
     }
-    bench_.templates = static_cast<std::int64_t>(made_at_.size());
-    bench_.interrupted = cancellation_.requested();
-    return std::move(bench_);
+    refuseBench(engine::FailureKind::Configuration,
+                "nothing says which images show the same place: the source has no true "
+                "poses; give --pairs or --second");
   }
-
- private:
-  engine::Assembly open(const engine::SystemOptions& system) {
-    return {engine::checkSystem(system, engine::Scope::SourceAndPlace), log_, clock_,
-            cancellation_};
+  PlaceTruth truth =
+      engine::require(truthOfPairs(options.pairs, options.near), engine::FailureKind::Dataset);
+  // With source.last and --frames the images may end before the pairs.
+  const bool whole = options.frames < 0 && isSourceAt(system, "last", "-1");
+  if (whole && !is_cancelled && truth.last_query >= pass.images()) {
+    refuseBench(
+        engine::FailureKind::Dataset,
+        fmt::format("{}: names image {}, and the recording has {} images, from 0; are these the "
+                    "pairs of this recording?",
+                    options.pairs, truth.last_query, pass.images()));
   }
+  if (countFindable(truth, pass) > 0) return truth;
+  refuseBench(engine::FailureKind::Dataset,
+              fmt::format("{}: has no pair of the {} images that were shown whose "
+                          "images are more than {} apart (--near)",
+                          options.pairs, pass.images(), options.near));
+}
 
-  void showSecond(engine::Assembly& first, const PlaceTruth& truth) {
-    const std::string state =
-        engine::require(first.place().instance().save(), engine::FailureKind::Configuration);
-    engine::SystemOptions system = system_;
-    system.overrides.push_back("source.path=" + config::writeText(options_.second));
-    system.overrides.insert(system.overrides.end(), options_.query_overrides.begin(),
-                            options_.query_overrides.end());
-    engine::Assembly second = open(system);
-    engine::require(second.place().instance().load(state), engine::FailureKind::Configuration,
-                    "place");
-    second.place().resetChecks(static_cast<std::int64_t>(made_at_.size()));
-    Pass pass(second, options_, cancellation_);
-    pass.show(1, made_at_);
-    if (pass.images() != bench_.images && !cancellation_.requested()) {
-      log_.write(LogLevel::Warning, "source",
-                 fmt::format("the second pass has {} images, and the first has {}: are some "
-                             "missing? Image N of both must show the same place",
-                             pass.images(), bench_.images));
-    }
-    bench_.images += pass.images();
-    judge(pass, truth);
-    keepState(second);
+void judge(const Pass& pass, const PlaceTruth& truth, const PlacesOptions& options,
+           PlacesBench& bench) {
+  for (const auto& [claim, within_pass, turned] : pass.answers) {
+    const bool counts =
+        options.second.empty() ? claim.query - claim.place > options.near : !within_pass;
+    if (!counts || (bench.opposite && turned)) continue;
+    bench.claims.push_back(claim);
+    bench.claims.back().right = truth.isSame(claim.query, claim.place);
   }
+  bench.findable = countFindable(truth, pass);
+  bench.curve = evaluation::precisionRecall(bench.claims, bench.findable);
+  std::vector<double> times = pass.milliseconds;
+  if (times.empty()) return;
+  std::ranges::sort(times);
+  bench.median_ms = times[times.size() / 2];
+  bench.p99_ms = times[times.size() * 99 / 100];
+}
 
-  /// Whether a parameter of the source has this value (as JSON), or the source has no such one.
-  static bool isSourceAt(const engine::CheckedSystem& system, const std::string& name,
-                         const std::string& value) {
-    const ParameterValues& source = system.values.at(system.config.stages.front().instance);
-    const auto found = source.find(name);
-    return found == source.end() || engine::valueJson(found->second).dump() == value;
-  }
-
-  /// Pairs number the images of the recording: all must be shown, in their order.
-  static void refuseSelection(const engine::CheckedSystem& system) {
-    for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
-                                      {"step", "1"},
-                                      {"order", "\"forward\""}}) {
-      if (isSourceAt(system, name, whole)) continue;
-      throw engine::Failure(
-          {engine::FailureKind::Configuration,
-           fmt::format("--pairs numbers all images of the recording, and source.{} "
-                       "selects some; leave it at {}",
-                       name, whole)});
-    }
-  }
-
-  /// Claims about images without a true pose are neither right nor wrong.
-  void leaveOutUnknown(Pass& pass) {
-    const std::int64_t unknown = pass.images() - std::ssize(pass.truth);
-    if (unknown == 0) return;
-    log_.write(
-        LogLevel::Warning, "source",
-        fmt::format("{} of {} images have no true pose; what is claimed of them is not judged",
-                    unknown, pass.images()));
-    std::erase_if(pass.answers, [&](const Answer& answer) {
-      return !poseOf(pass.truth, answer.claim.query) || !poseOf(pass.truth, answer.claim.place);
-    });
-  }
-
-  PlaceTruth truthOf(const Pass& pass, const engine::CheckedSystem& system) const {
-    if (options_.pairs.empty()) {
-      if (!pass.truth.empty()) {
-        return truthOfPoses(pass.truth, system.config.evaluation.loop_height, options_.near);
-      }
-      throw engine::Failure(
-          {engine::FailureKind::Configuration,
-           "nothing says which images show the same place: the source has no true "
-           "poses; give --pairs or --second"});
-    }
-    PlaceTruth truth =
-        engine::require(truthOfPairs(options_.pairs, options_.near), engine::FailureKind::Dataset);
-    // With source.last and --frames the images may end before the pairs.
-    const bool whole = options_.frames < 0 && isSourceAt(system, "last", "-1");
-    if (whole && !cancellation_.requested() && truth.last_query >= pass.images()) {
-      throw engine::Failure(
-          {engine::FailureKind::Dataset,
-           fmt::format("{}: names image {}, and the recording has {} images, from 0; are these the "
-                       "pairs of this recording?",
-                       options_.pairs, truth.last_query, pass.images())});
-    }
-    if (countFindable(truth, pass) > 0) return truth;
-    throw engine::Failure({engine::FailureKind::Dataset,
-                           fmt::format("{}: has no pair of the {} images that were shown whose "
-                                       "images are more than {} apart (--near)",
-                                       options_.pairs, pass.images(), options_.near)});
-  }
-
-  static std::int64_t countFindable(const PlaceTruth& truth, const Pass& pass) {
-    std::int64_t count = 0;
-    for (std::int64_t i = 0; i < pass.images(); ++i) count += truth.isFindable(i);
-    return count;
-  }
-
-  void judge(const Pass& pass, const PlaceTruth& truth) {
-    const bool two_passes = !options_.second.empty();
-    for (const auto& [claim, within_pass, turned] : pass.answers) {
-      const bool counts = two_passes ? !within_pass : claim.query - claim.place > options_.near;
-      if (!counts || (bench_.opposite && turned)) continue;
-      bench_.claims.push_back(claim);
-      bench_.claims.back().right = truth.isSame(claim.query, claim.place);
-    }
-    bench_.findable = countFindable(truth, pass);
-    bench_.curve = evaluation::precisionRecall(bench_.claims, bench_.findable);
-    std::vector<double> times = pass.milliseconds;
-    if (times.empty()) return;
-    std::ranges::sort(times);
-    bench_.median_ms = times[times.size() / 2];
-    bench_.p99_ms = times[times.size() * 99 / 100];
-  }
-
-  void keepState(engine::Assembly& assembly) {
-    if (assembly.place().instance().state() == nullptr) return;
-    const Result<std::string> state = assembly.place().instance().save();
-    if (state.isOk()) bench_.state_bytes = static_cast<std::int64_t>(state.value().size());
-  }
-
-  const engine::SystemOptions& system_;
-  const PlacesOptions& options_;
-  engine::RunLog& log_;
-  const Cancellation& cancellation_;
-  engine::SteadyClock clock_;
-  std::map<std::int64_t, Pass::Template> made_at_;
-  PlacesBench bench_;
-};
+void keepState(engine::Assembly& assembly, PlacesBench& bench) {
+  if (assembly.place().instance().state() == nullptr) return;
+  const Result<std::string> state = assembly.place().instance().save();
+  if (state.isOk()) bench.state_bytes = static_cast<std::int64_t>(state.value().size());
+}
 
 }  // namespace
 
 PlacesBench runPlacesBench(const engine::SystemOptions& system, const PlacesOptions& options,
                            engine::RunLog& log, const Cancellation& cancellation) {
-  return PlacesMeasurement(system, options, log, cancellation).run();
+  const engine::SteadyClock clock;
+  PlacesBench bench;
+  std::map<std::int64_t, Pass::Template> made_at;
+  const auto assemble = [&](const engine::SystemOptions& of) {
+    return engine::Assembly(engine::checkSystem(of, engine::Scope::SourceAndPlace), log, clock,
+                            cancellation);
+  };
+  engine::Assembly first = assemble(system);
+  if (!options.pairs.empty()) refuseSelection(first.system());
+  bench.name = first.system().config.general.name;
+  bench.plugin = first.place().instance().manifest().id;
+  Pass pass(first, options, cancellation);
+  pass.show(0, made_at);
+  bench.images = pass.images();
+  if (options.second.empty()) {
+    const PlaceTruth truth = truthOf(pass, first.system(), options, cancellation.requested());
+    if (options.pairs.empty()) {  // with true poses
+      leaveOutUnknown(pass, log);
+      std::vector<evaluation::PlaceClaim> turned;
+      for (const Answer& answer : pass.answers) {
+        if (answer.turned) turned.push_back(answer.claim);
+      }
+      bench.opposite = judgeOpposite(pass.truth, std::move(turned),
+                                     first.system().config.evaluation.loop_height);
+    }
+    judge(pass, truth, options, bench);
+    keepState(first, bench);
+  } else {
+    const std::string state =
+        engine::require(first.place().instance().save(), engine::FailureKind::Configuration);
+    engine::SystemOptions again = system;
+    again.overrides.push_back("source.path=" + config::writeText(options.second));
+    again.overrides.insert(again.overrides.end(), options.query_overrides.begin(),
+                           options.query_overrides.end());
+    engine::Assembly second = assemble(again);
+    engine::require(second.place().instance().load(state), engine::FailureKind::Configuration,
+                    "place");
+    second.place().resetChecks(static_cast<std::int64_t>(made_at.size()));
+    Pass queries(second, options, cancellation);
+    queries.show(1, made_at);
+    if (queries.images() != bench.images && !cancellation.requested()) {
+      log.write(LogLevel::Warning, "source",
+                fmt::format("the second pass has {} images, and the first has {}: are some "
+                            "missing? Image N of both must show the same place",
+                            queries.images(), bench.images));
+    }
+    bench.images += queries.images();
+    judge(queries, truthByNumber(pass.images(), options.tolerance), options, bench);
+    keepState(second, bench);
+  }
+  bench.templates = static_cast<std::int64_t>(made_at.size());
+  bench.interrupted = cancellation.requested();
+  return bench;
 }
 
 namespace {

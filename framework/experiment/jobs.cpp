@@ -242,87 +242,58 @@ Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::st
   });
 }
 
-namespace {
-
-class Archive {
- public:
-  Archive(const fs::path& sweep, fs::path folder)
-      : sweep_(fs::absolute(sweep).lexically_normal()), folder_(std::move(folder)) {
-    if (!sweep_.has_filename()) sweep_ = sweep_.parent_path();
-  }
-
-  void write(const FindConfig& find_config) {
-    const auto rows = must(readRunRows({sweep_}));
-    if (rows.empty()) must(Status::invalidInput(sweep_.string() + ": no run is done"));
+Status writeSweepArchive(const fs::path& given, const fs::path& folder,
+                         const FindConfig& find_config) {
+  fs::path sweep = fs::absolute(given).lexically_normal();
+  if (!sweep.has_filename()) sweep = sweep.parent_path();
+  const auto add = [&](const fs::path& name, const std::string& text) {
+    std::error_code ignored;
+    fs::create_directories((folder / name).parent_path(), ignored);
+    must(record::writeAtomically(folder / name, text));
+  };
+  const auto write = [&] {
+    const auto rows = must(readRunRows({sweep}));
+    if (rows.empty()) must(Status::invalidInput(sweep.string() + ": no run is done"));
     std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) must(Status::failed(folder_.string() + ": " + error.message()));
-    if (!fs::is_empty(folder_, error)) must(Status::failed(folder_.string() + ": is not empty"));
+    fs::create_directories(folder, error);
+    if (error) must(Status::failed(folder.string() + ": " + error.message()));
+    if (!fs::is_empty(folder, error)) must(Status::failed(folder.string() + ": is not empty"));
     add("results.csv", csvOf(tableOf(rows)));
-    std::array<std::string, 2> runs;  // front ends first
-    for (const PlannedRun& run : frozenRuns(sweep_).planned) {
-      if (outcomeOf(sweep_ / run.folder).state != PointState::Done) continue;
-      addRun(run);
+    std::array<std::string, 2> runs;               // front ends first
+    std::map<std::string, std::string> variables;  // by path
+    std::string data_lines, names;
+    for (const PlannedRun& run : frozenRuns(sweep).planned) {
+      const fs::path from = sweep / run.folder, to = fs::path("runs") / run.folder;
+      if (outcomeOf(from).state != PointState::Done) continue;
+      std::string config = textOf(from / "config.yaml");
+      // The front end that it replays is run again as well.
+      if (!run.front_end_folder.empty()) {
+        replacePath(config, (sweep / run.front_end_folder / "run").string(),
+                    "${AGAIN}/" + run.front_end_folder);
+      }
+      for (const record::DataDigest& data : run.inputs.data) {
+        const auto [variable, is_new] = variables.try_emplace(data.path);
+        if (is_new) {
+          variable->second = fmt::format("DATA_{}", variables.size());
+          data_lines += fmt::format("{}\t{}\t{}\n", variable->second, data.path,
+                                    data.sha256.empty() ? data.stamp : data.sha256);
+        }
+        replacePath(config, data.path, "${" + variable->second + ":-" + data.path + "}");
+      }
+      add(to / "config.resolved.yaml", config);
+      add(to / "point.json", textOf(from / "point.json"));
+      for (const char* name : {"run.json", "metrics.json", "results.sha256"}) {
+        add(to / name, textOf(from / "run" / name));
+      }
       runs.at(run.is_front_end ? 0 : 1) += run.folder + "\n";
     }
-    std::string names;
-    for (const auto& [path, name] : variables_) names += name + " ";
+    for (const auto& [path, name] : variables) names += name + " ";
     add("rerun.sh",
         filled(find_config, "rerun.sh", {{"VARIABLES", names}, {"RUNS", runs[0] + runs[1]}}));
-    add("data.txt", data_);
-  }
-
- private:
-  void add(const fs::path& name, const std::string& text) {
-    std::error_code ignored;
-    fs::create_directories((folder_ / name).parent_path(), ignored);
-    must(record::writeAtomically(folder_ / name, text));
-  }
-
-  void addRun(const PlannedRun& run) {
-    const fs::path from = sweep_ / run.folder;
-    const fs::path to = fs::path("runs") / run.folder;
-    std::string config = textOf(from / "config.yaml");
-    // The front end that it replays is run again as well.
-    if (!run.front_end_folder.empty()) {
-      replacePath(config, (sweep_ / run.front_end_folder / "run").string(),
-                  "${AGAIN}/" + run.front_end_folder);
-    }
-    for (const record::DataDigest& data : run.inputs.data) {
-      replacePath(config, data.path, "${" + variable(data) + ":-" + data.path + "}");
-    }
-    add(to / "config.resolved.yaml", config);
-    add(to / "point.json", textOf(from / "point.json"));
-    for (const char* name : {"run.json", "metrics.json", "results.sha256"}) {
-      add(to / name, textOf(from / "run" / name));
-    }
-  }
-
-  const std::string& variable(const record::DataDigest& data) {
-    const auto [found, is_new] = variables_.try_emplace(data.path);
-    if (is_new) {
-      found->second = fmt::format("DATA_{}", variables_.size());
-      data_ += fmt::format("{}\t{}\t{}\n", found->second, data.path,
-                           data.sha256.empty() ? data.stamp : data.sha256);
-    }
-    return found->second;
-  }
-
-  fs::path sweep_;
-  fs::path folder_;
-  std::map<std::string, std::string> variables_;  ///< by path
-  std::string data_;
-};
-
-}  // namespace
-
-Status writeSweepArchive(const fs::path& sweep, const fs::path& folder,
-                         const FindConfig& find_config) {
-  return resultOf([&] {
-           Archive(sweep, folder).write(find_config);
-           return true;
-         })
-      .status();
+    add("data.txt", data_lines);
+    return true;
+  };
+  return resultOf(write).status();
 }
 
 }  // namespace tolman::experiment

@@ -9,8 +9,6 @@
 namespace tolman::report {
 namespace {
 
-constexpr double kTick = 4;  // px
-
 double stepOf(const Range& range, int wanted) {
   const double rough = range.length() / std::max(wanted, 1);
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -33,20 +31,7 @@ std::vector<Eigen::Vector2d> legendPlaces(const std::vector<Axes::LegendEntry>& 
   return places;
 }
 
-int ticksIn(double pixels, double each) { return std::max(2, static_cast<int>(pixels / each)); }
-
 }  // namespace
-
-/// Properties of the lower or the left side of the frame; distances in px.
-struct Axes::Side {
-  bool vertical;
-  Eigen::Vector2d outward;
-  double pixels_per_tick;
-  Eigen::Vector2d tick_text;  ///< from the foot of the tick
-  TextStyle tick_style;
-  double label_distance;
-  TextStyle label_style;
-};
 
 void Range::include(double value) {
   low = std::min(low, value);
@@ -80,10 +65,8 @@ Axes::Axes(Svg& svg, AxesPlan plan) : svg_(svg), plan_(std::move(plan)) {
   }
   fit();
   svg_.rectangle(plan_.place.min(), plan_.place.sizes(), kPaper, "none");
-  draw({false, {0, 1}, 75, {0, 17}, {TextAnchor::Middle, 11}, 34, {TextAnchor::Middle, 12}});
-  if (!plan_.y_label.empty()) {
-    draw({true, {-1, 0}, 40, {-7, 4}, {TextAnchor::End, 11}, 46, {TextAnchor::Middle, 12, -90}});
-  }
+  draw(false);
+  if (!plan_.y_label.empty()) draw(true);
   svg_.rectangle(plan_.place.min(), plan_.place.sizes(), "none", kFrameLine);
   const double middle = plan_.place.center().x();
   svg_.text({middle, plan_.place.min().y() - 26}, plan_.title, {TextAnchor::Middle, 13, 0, true});
@@ -99,22 +82,28 @@ void Axes::fit() {
   plan_.place = Eigen::AlignedBox2d(corner, corner + wanted);
 }
 
-void Axes::draw(const Side& side) {
-  const Range& range = side.vertical ? plan_.y : plan_.x;
-  const Eigen::Vector2d& sizes = plan_.place.sizes();
-  const int row = side.vertical ? 1 : 0;
-  const auto values = ticks(range, ticksIn(sizes[row], side.pixels_per_tick));
+/// The lower or the left side of the box; distances in px.
+void Axes::draw(bool vertical) {
+  constexpr double kTick = 4;
+  const Range& range = vertical ? plan_.y : plan_.x;
+  const Eigen::Vector2d sizes = plan_.place.sizes();
+  const int row = vertical ? 1 : 0;
+  const Eigen::Vector2d outward(vertical ? -1 : 0, vertical ? 0 : 1);
+  const Eigen::Vector2d text(vertical ? -7 : 0, vertical ? 4 : 17);  // from the foot of a tick
+  const int wanted = std::max(2, static_cast<int>(sizes[row] / (vertical ? 40 : 75)));
+  const auto values = ticks(range, wanted);
   const double step = values.size() > 1 ? values[1] - values[0] : range.length();
   for (const double value : values) {
-    const Eigen::Vector2d foot = side.vertical ? at(plan_.x.low, value) : at(value, plan_.y.low);
-    svg_.line(foot, foot - sizes[1 - row] * side.outward, kGridLine);
-    svg_.line(foot, foot + kTick * side.outward, kFrameLine);
-    svg_.text(foot + side.tick_text, tickText(value, step), side.tick_style);
+    const Eigen::Vector2d foot = vertical ? at(plan_.x.low, value) : at(value, plan_.y.low);
+    svg_.line(foot, foot - sizes[1 - row] * outward, kGridLine);
+    svg_.line(foot, foot + kTick * outward, kFrameLine);
+    svg_.text(foot + text, tickText(value, step),
+              {vertical ? TextAnchor::End : TextAnchor::Middle, 11});
   }
   Eigen::Vector2d middle = plan_.place.center();
-  middle[1 - row] = side.vertical ? plan_.place.min().x() : plan_.place.max().y();
-  svg_.text(middle + side.label_distance * side.outward,
-            side.vertical ? plan_.y_label : plan_.x_label, side.label_style);
+  middle[1 - row] = vertical ? plan_.place.min().x() : plan_.place.max().y();
+  svg_.text(middle + (vertical ? 46 : 34) * outward, vertical ? plan_.y_label : plan_.x_label,
+            {TextAnchor::Middle, 12, vertical ? -90.0 : 0.0});
 }
 
 Eigen::Vector2d Axes::at(double x, double y) const {

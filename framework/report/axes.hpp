@@ -60,9 +60,8 @@ class Axes {
   void legend(const std::vector<LegendEntry>& entries);
 
  private:
-  struct Side;
   void fit();
-  void draw(const Side& side);
+  void draw(bool vertical);
   Svg& svg_;
   AxesPlan plan_;
   Eigen::Vector2d scale_;  ///< px per unit
