@@ -6,8 +6,8 @@
 
 #include "app/options.hpp"
 #include "config/values.hpp"
-#include "engine/assembly.hpp"
 #include "engine/camera_check.hpp"
+#include "engine/checked_system.hpp"
 #include "engine/findings.hpp"
 #include "engine/rectified_source.hpp"
 #include "host/instance.hpp"

@@ -12,7 +12,7 @@
 #include "app/options.hpp"
 #include "app/parameter_text.hpp"
 #include "conformance/kit.hpp"
-#include "engine/assembly.hpp"
+#include "engine/checked_system.hpp"
 #include "host/library.hpp"
 #include "host/remote_plugin.hpp"
 #include "host/scratch_folder.hpp"

@@ -14,7 +14,7 @@
 #include "base/text_file.hpp"
 #include "config/text.hpp"
 #include "engine/checked_system.hpp"
-#include "host/catalogue.hpp"
+#include "host/manifest.hpp"
 #include "record/atomic_file.hpp"
 #include "tolman/version.hpp"
 

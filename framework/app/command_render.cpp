@@ -12,7 +12,7 @@
 #include "app/kitti_folder.hpp"
 #include "app/options.hpp"
 #include "app/program.hpp"
-#include "engine/assembly.hpp"
+#include "engine/checked_system.hpp"
 #include "engine/drive.hpp"
 #include "record/atomic_file.hpp"
 

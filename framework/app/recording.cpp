@@ -16,7 +16,7 @@
 #include "base/text_file.hpp"
 #include "config/loader.hpp"
 #include "config/text.hpp"
-#include "engine/assembly.hpp"
+#include "engine/checked_system.hpp"
 
 namespace tolman::app {
 namespace {

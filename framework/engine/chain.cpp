@@ -9,6 +9,7 @@
 #include "engine/camera_check.hpp"
 
 namespace tolman::engine {
+
 namespace {
 
 // A graph below kGraphSizePerFrame is published at every change; a larger one at most every n-th

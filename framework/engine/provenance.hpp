@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly.hpp"
-#include "engine/frame_records.hpp"
+#include "engine/chain.hpp"
+#include "engine/checked_system.hpp"
 
 namespace tolman::engine {
 

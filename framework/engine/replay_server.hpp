@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "engine/assembly.hpp"
+#include "engine/checked_system.hpp"
 #include "engine/findings.hpp"
 #include "record/replay.hpp"
 

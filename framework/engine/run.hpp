@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly.hpp"
+#include "engine/checked_system.hpp"
 #include "engine/drive.hpp"
 #include "engine/run_listener.hpp"
 #include "evaluation/metrics.hpp"

@@ -13,9 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "engine/assembly.hpp"
 #include "engine/chain.hpp"
-#include "engine/frame_records.hpp"
+#include "engine/checked_system.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
 #include "tolman/context.hpp"

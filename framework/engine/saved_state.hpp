@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "engine/assembly.hpp"
+#include "engine/checked_system.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::engine {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly.hpp"
+#include "engine/checked_system.hpp"
 #include "evaluation/loops.hpp"
 #include "evaluation/metrics.hpp"
 #include "evaluation/trajectory.hpp"

@@ -13,6 +13,7 @@
 #include <system_error>
 
 namespace tolman::host {
+
 namespace {
 
 struct Head {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/codec.hpp"
-#include "host/calls.hpp"
+#include "host/channel.hpp"
 #include "host/guard.hpp"
 #include "tolman/context.hpp"
 #include "tolman/plugin.hpp"

@@ -9,7 +9,7 @@
 #include <new>
 #include <utility>
 
-#include "host/calls.hpp"
+#include "host/channel.hpp"
 
 namespace tolman::host {
 

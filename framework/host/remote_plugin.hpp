@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/codec.hpp"
-#include "host/calls.hpp"
 #include "host/channel.hpp"
 #include "host/child_process.hpp"
 #include "host/instance.hpp"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "host/answers.hpp"
 #include "host/values.hpp"
 #include "tolman/geometry.hpp"
 

@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "host/answers.hpp"
 #include "host/instance.hpp"
+#include "host/values.hpp"
 #include "tolman/records.hpp"
 #include "tolman/roles.hpp"
 #include "tolman/status.hpp"

@@ -6,7 +6,6 @@
 
 #include "conformance/hash_of.hpp"
 #include "conformance/test_instance.hpp"
-#include "host/answers.hpp"
 #include "host/values.hpp"
 
 using namespace tolman;

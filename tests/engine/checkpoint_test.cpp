@@ -2,7 +2,7 @@
 // Checkpoints: the states of all stages after one frame, without stopping the pipeline.
 #include <algorithm>
 
-#include "engine/frame_records.hpp"
+#include "engine/chain.hpp"
 #include "engine/toy_stages.hpp"
 
 using namespace tolman;

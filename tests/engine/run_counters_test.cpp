@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/frame_records.hpp"
+#include "engine/chain.hpp"
 
 using tolman::engine::RunCounters;
 

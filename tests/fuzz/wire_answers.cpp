@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/codec.hpp"
-#include "host/calls.hpp"
 #include "host/channel.hpp"
 #include "host/stages.hpp"
 #include "input.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/answers.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "host/values.hpp"
 
 using namespace tolman;
 using namespace tolman::host;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "host/catalogue.hpp"
-
 #include <fstream>
 
 #include "host/fixture_plugins.hpp"
+#include "host/manifest.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;

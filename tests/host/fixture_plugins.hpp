@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "host/catalogue.hpp"
 #include "host/instance.hpp"
 #include "host/library.hpp"
+#include "host/manifest.hpp"
 #include "support/paths.hpp"
 
 namespace tolman::test {

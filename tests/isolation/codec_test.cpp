@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "host/calls.hpp"
+#include "host/channel.hpp"
 
 using namespace tolman;
 using namespace tolman::host;

@@ -91,10 +91,15 @@ class GaussNewton {
       const double chi = chi_square_[k];
       if (!links_[k].robust) {
         sum += links_[k].weight * chi;
-      } else if (options_.loss == Loss::GemanMcclure) {
-        sum += bound * chi / (bound + chi);
-      } else {
-        sum += chi <= bound ? chi : 2 * options_.delta * std::sqrt(chi) - bound;
+        continue;
+      }
+      switch (options_.loss) {
+        case Loss::Huber:
+          sum += chi <= bound ? chi : 2 * options_.delta * std::sqrt(chi) - bound;
+          break;
+        case Loss::GemanMcclure:
+          sum += bound * chi / (bound + chi);
+          break;
       }
     }
     return sum;
@@ -138,13 +143,16 @@ class GaussNewton {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       if (!links_[k].robust) continue;
       const double chi = chi_square_[k];
-      if (options_.loss == Loss::Huber) {
-        links_[k].weight = std::min(1.0, delta / std::max(std::sqrt(chi), 1e-300));
-      } else {
-        const double bound = mu * delta * delta;
-        const double root = bound / (bound + chi);
-        links_[k].weight = root * root;
-        curvatures_[k] = curvatureOf(chi, bound);
+      const double bound = mu * delta * delta;
+      const double root = bound / (bound + chi);
+      switch (options_.loss) {
+        case Loss::Huber:
+          links_[k].weight = std::min(1.0, delta / std::max(std::sqrt(chi), 1e-300));
+          break;
+        case Loss::GemanMcclure:
+          links_[k].weight = root * root;
+          curvatures_[k] = curvatureOf(chi, bound);
+          break;
       }
     }
   }
