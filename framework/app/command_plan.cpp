@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "app/options.hpp"
-#include "base/text_file.hpp"
 #include "base/shortest_path.hpp"
+#include "base/text_file.hpp"
 #include "config/values.hpp"
 #include "experiment/tables.hpp"
 #include "record/export.hpp"

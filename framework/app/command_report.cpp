@@ -2,12 +2,11 @@
 // tolman report: figures and one self-contained page about runs; tolman export: result files, also
 // of a killed run; tolman schema; tolman view: a run in the browser, finished or running. All of
 // them read records.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
-#include <fmt/format.h>
-
 #include <iostream>
 #include <optional>
 

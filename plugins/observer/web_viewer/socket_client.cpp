@@ -3,7 +3,6 @@
 
 #include <utility>
 
-
 namespace tolman::web_viewer {
 
 namespace {

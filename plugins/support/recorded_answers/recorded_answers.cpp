@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-
 namespace tolman::recorded_answers {
 
 namespace {
