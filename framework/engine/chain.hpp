@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts of a run, and what they say where it found no motion.
+// The stages of a run in the order of the flow: the counts of a run, a frame on its way, and the
+// chain that calls the stages for it.
 #pragma once
 
 #include <oneapi/tbb/task_arena.h>

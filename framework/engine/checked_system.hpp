@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns a configuration file into a system with loaded plugins and checked values. No plugin object
-// exists yet; Assembly creates them.
+// Turns a configuration file into a system with loaded plugins and checked values, and
+// creates their objects (Assembly).
 #pragma once
 
 #include <cstdint>

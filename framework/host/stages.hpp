@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calls the roles under the guard, and checks every answer against the contract: frame, stamp,
-// order in time, values that can be recorded (values.hpp), and the rules of its role (answers.hpp).
+// order in time, values that can be recorded (values.hpp), and the rules of its role.
 #pragma once
 
 #include <algorithm>

@@ -123,7 +123,7 @@ class ArrayShapes {
 };
 
 // Checks the answers of the roles against the contract of the SDK. Frame, stamp and values are
-// checked elsewhere (stages.hpp, values.hpp).
+// checked in stages.hpp and above.
 
 /// Requires a symmetric, positive semidefinite matrix, up to rounding; zero is allowed. `field`:
 /// its name.
