@@ -71,11 +71,12 @@ class Rendering {
     while (!cancellation.requested() && taken_ != frames_) {
       const auto next = std::make_shared<Frame>();
       Frame& frame = *next;
-      const Status status = source_.next(frame);
+      Status status = source_.next(frame);
       if (status.code() == StatusCode::EndOfStream) return nullptr;
       ++taken_;
       const bool has_pair = !info_.rig.isStereo() || !frame.right.empty();
       const bool is_whole = frame.defect.empty() && !frame.left.empty() && has_pair;
+      if (status.isOk() && is_whole) status = requireDepth(frame, depth_);
       if (!status.isOk()) {
         outcome_.source = status;
         return nullptr;

@@ -136,6 +136,14 @@ Status KittiFolder::writeImage(const char* name, std::int64_t index,
   return record::writeAtomically(folder_ / name / imageName(index), png.value(), record::Sync::No);
 }
 
+Status requireDepth(const Frame& frame, const std::string& depth) {
+  const auto map = std::ranges::find(frame.sensors, depth, &NamedArray::name);
+  if (depth.empty() || map != frame.sensors.end()) return Status::ok();
+  return Status::invalidInput("frame " + std::to_string(frame.frame) +
+                              ": the source gives no sensor array '" + depth +
+                              "'; leave out --depth");
+}
+
 Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
                                const std::string& depth) const {
   const bool colour = frame.left.format() == PixelFormat::Bgr8;
@@ -144,11 +152,9 @@ Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
     status = writeImage(colour ? "image_3" : "image_1", index, encodePng(frame.right));
   }
   if (!status.isOk() || depth.empty()) return status;
+  if (Status missing = requireDepth(frame, depth); !missing.isOk()) return missing;
   const auto map = std::ranges::find(frame.sensors, depth, &NamedArray::name);
-  if (map != frame.sensors.end()) return writeImage("depth_0", index, encodeDepthPng(*map));
-  return Status::invalidInput("frame " + std::to_string(frame.frame) +
-                              ": the source gives no sensor array '" + depth +
-                              "'; leave out --depth");
+  return writeImage("depth_0", index, encodeDepthPng(*map));
 }
 
 Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,

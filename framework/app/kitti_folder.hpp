@@ -38,6 +38,9 @@ std::string calibrationText(const CameraRig& rig);
 /// Seconds, exact to the nanosecond, one line per image.
 std::string timesText(const std::vector<std::int64_t>& stamps_ns);
 
+/// InvalidInput if the frame has no sensor array `depth`; empty: none is needed.
+Status requireDepth(const Frame& frame, const std::string& depth);
+
 class KittiFolder {
  public:
   /// Creates the folder, or takes an empty one; with `replace` one that an earlier rendering has

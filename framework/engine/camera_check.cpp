@@ -137,7 +137,8 @@ StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
   const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
   StereoFault measured = faultOf(measure);
-  if (measured == StereoFault::Exchanged && isLate(frame.right)) measured = StereoFault::OtherTime;
+  const bool late = measured == StereoFault::Exchanged && isLate(frame.right);
+  if (late) measured = StereoFault::OtherTime;
   if (rows_.size() < kMostRows) {
     rows_.insert(rows_.end(), measure.rows.begin(), measure.rows.end());
   }
@@ -145,7 +146,11 @@ StereoFault FrameCheck::stereoFault(const Frame& frame) {
   last_measured_ = measured;
   if (measured != StereoFault::None) {
     if (certain) fault_ = measured;
-    if (certain) stereo_text_ = faultText(measured, measure);
+    if (certain) {
+      stereo_text_ = late ? "the right image belongs to the left one of the frame before; are both "
+                            "exposed at the same time, and paired by their times?"
+                          : faultText(measured, measure);
+    }
     sound_measures_ = 0;
   } else if (++sound_measures_ >= kSoundAgain) {
     fault_ = StereoFault::None;
@@ -411,11 +416,6 @@ std::string faultText(StereoFault fault, const StereoMeasure& measure) {
       return "left and right image are exchanged; exchange the two folders, topics or cameras of "
              "the calibration";
     case StereoFault::OtherTime:
-      if (measure.share_exchanged > kMostExchanged) {
-        return "the right image belongs to the left one of the frame before; are both exposed at "
-               "the "
-               "same time, and paired by their times?";
-      }
       return fmt::format(
           "the rows of left and right image do not belong together (differences of {:.1f} px); are "
           "both exposed at the same time, and rectified?",

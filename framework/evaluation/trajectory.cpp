@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -324,20 +324,41 @@ void append(Trajectory& trajectory, TrajectoryPose pose, const Columns& columns)
   trajectory.push_back(pose);
 }
 
+/// Of a file, or of what comes through a pipe until its end.
+Result<std::string> textOf(const std::filesystem::path& path) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  if (std::filesystem::is_directory(path)) return Status::invalidInput("is a folder; give a file");
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) {
+    const std::string why = std::generic_category().message(errno);
+    return Status::invalidInput("cannot be read (" + why + "); check path and permissions");
+  }
+  ::fcntl(file, F_SETFL, O_RDONLY);  // a pipe whose writer is at work is waited for
+  std::string text;
+  std::array<char, 1 << 16> bytes;
+  ssize_t got = 1;
+  while (got > 0 && text.size() <= kMost) {
+    got = ::read(file, bytes.data(), bytes.size());
+    if (got > 0) text.append(bytes.data(), static_cast<std::size_t>(got));
+  }
+  ::close(file);
+  if (text.size() > kMost) return Status::invalidInput("has more than 1 GiB");
+  if (got < 0) return Status::invalidInput("cannot be read to its end; check the disk");
+  if (text.empty() && std::filesystem::is_fifo(path)) {
+    return Status::invalidInput("nobody writes to this pipe; start its writer first");
+  }
+  return text;
+}
+
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_written) {
   const auto refuse = [&](const std::string& why) {
     return Status::invalidInput(file.string() + ": " + why);
   };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) return refuse("is a folder; give a file");
-  std::ifstream given(file, std::ios::binary);
-  if (!given) {
-    return refuse("cannot be read (" + std::generic_category().message(errno) +
-                  "); check path and permissions");
-  }
-  const std::string text(std::istreambuf_iterator<char>(given), {});
+  const Result<std::string> given = textOf(file);
+  if (!given.isOk()) return refuse(given.status().message());
+  const std::string& text = given.value();
   if (const std::string problem = text_encoding::encodingProblem(text); !problem.empty()) {
     return refuse(problem);
   }

@@ -44,7 +44,7 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   CHECK(words({"help", "rnu"}) == "'rnu' is no command; did you mean 'run'?\n");
   CHECK(words({"help", "plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
   CHECK(words({"plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
-  CHECK(contains(words({"fly"}), "'fly' is no command; it is one of: run, check, plugins"));
+  CHECK(contains(words({"launch"}), "'launch' is no command; it is one of: run, check, plugins"));
 }
 
 TEST_CASE("plugins list shows all of ours, and broken ones with their refusal") {
