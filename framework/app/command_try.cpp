@@ -37,13 +37,14 @@ std::string sweepFor(const std::string& stages) {
   return configFile(fmt::format("configs/init/try/{}.yaml", name));
 }
 
-/// Without truth: the first of the runs that were tracked longest, which is nearest to init's.
-const RunRow& longestTracked(const std::vector<RunRow>& rows) {
-  return *std::ranges::max_element(rows, {}, [](const RunRow& row) {
-    const auto frames = row.metrics.find("experiences");
-    const auto lost = row.metrics.find("exit_code");
-    return std::pair(lost == row.metrics.end() || lost->second == 0,
-                     frames != row.metrics.end() && frames->second > 1);
+/// Without truth: the first run that was tracked, and made a map of more than one experience if one
+/// did. The first is that of init.
+const RunRow& firstTracked(const std::vector<RunRow>& rows) {
+  return *std::ranges::max_element(rows, {}, [](const RunRow& run) {
+    const auto code = run.metrics.find("exit_code");
+    const auto experiences = run.metrics.find("experiences");
+    const bool is_tracked = code == run.metrics.end() || code->second == 0;
+    return std::pair(is_tracked, experiences != run.metrics.end() && experiences->second > 1);
   });
 }
 
@@ -55,7 +56,7 @@ std::string verdictOf(const std::vector<Ranked>& ranked, const RunRow& best) {
            row("kept", best.name + ": the first that was tracked");
   }
   const Ranked& first = ranked.front();
-  const auto alike = std::ranges::count_if(ranked, &Ranked::is_best) - 1;
+  const auto alike = std::ranges::count_if(ranked, &Ranked::as_good) - 1;
   std::string text =
       row("best", fmt::format("{}: {:.3g} m (95 %: {:.3g} to {:.3g})", best.name, first.rmse_m,
                               first.interval.low, first.interval.high));
@@ -94,7 +95,7 @@ void tryOut(const TryCommand& command, Invocation& invocation) {
   const auto rows = valueOf(experiment::readRunRows({runs}));
   if (rows.empty()) fail(ExitCode::PluginFailed, "no combination could be run; see above");
   const auto ranked = valueOf(experiment::rankedRuns(rows));
-  const RunRow& best = ranked.empty() ? longestTracked(rows) : *ranked.front().run;
+  const RunRow& best = ranked.empty() ? firstTracked(rows) : *ranked.front().run;
   const fs::path frozen = best.directory.parent_path() / "config.yaml";
   failUnless(record::writeOutput(out / "best.yaml",
                                  valueOf(text_encoding::readText(frozen), ExitCode::Record)));

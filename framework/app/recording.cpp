@@ -154,7 +154,7 @@ class Search {
     }
     if (!reason.isOk()) return reason;
     if (best_.width > 0 && !best_.calibrated && may("calibration")) tryCalibrations();
-    const bool has_response = fs::exists(path_ / "pcalib.txt", error_);
+    const bool has_response = std::ranges::count(calibrations(), "pcalib.txt") > 0;
     if (has_response && may("response")) take({{"response", "pcalib.txt"}}, "pcalib.txt");
     const bool has_times = best_.isGiven("rate") || best_.isGiven("stamps_in_names");
     if (!has_times && may("stamps")) tryStamps();
@@ -348,7 +348,6 @@ class Search {
   const host::LoadedPlugin& plugin_;
   SourceValues given_;
   const Invocation& invocation_;
-  std::error_code error_;
   Names folders_;  ///< with images, below the recording
   Recording best_;
 };

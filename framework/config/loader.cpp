@@ -195,7 +195,7 @@ Status applyOverride(Node& tree, const std::string& argument, const Origin& orig
 std::string leftOut(const Node& stage, const Node* now) {
   const Node* plugin = stage.find("plugin");
   const Node* other = now == nullptr ? nullptr : now->find("plugin");
-  if (plugin == nullptr || other == nullptr || plugin->text == other->text) return "";
+  if (other == nullptr || !namesOtherPlugin(stage, *other)) return "";
   std::vector<std::string> keys;
   for (const Node& child : stage.children) {
     if (&child != plugin && now->find(child.key) == nullptr) keys.push_back(child.key);

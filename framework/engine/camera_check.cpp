@@ -125,9 +125,9 @@ bool isRepeated(const Image& a, const Image& b) {
 
 /// Whether the right image and the left one before it are a sound pair: where the camera turns, an
 /// image that is a frame late looks as if both were exchanged.
-bool FrameCheck::isLate(const Image& right) const {
+bool FrameCheck::isLate(const GrayHalf& right) const {
   if (left_.empty()) return false;
-  const StereoMeasure before = measureStereo(grayHalf(left_), grayHalf(right));
+  const StereoMeasure before = measureStereo(grayHalf(left_), right);
   return before.matched >= kCertain && faultOf(before) == StereoFault::None;
 }
 
@@ -135,9 +135,10 @@ bool FrameCheck::isLate(const Image& right) const {
 /// measures in succession find it. It ends after kSoundAgain measures without a fault.
 StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
-  const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
+  const GrayHalf right = grayHalf(frame.right);
+  const StereoMeasure measure = measureStereo(grayHalf(frame.left), right);
   StereoFault measured = faultOf(measure);
-  const bool late = measured == StereoFault::Exchanged && isLate(frame.right);
+  const bool late = measured == StereoFault::Exchanged && isLate(right);
   if (late) measured = StereoFault::OtherTime;
   if (rows_.size() < kMostRows) {
     rows_.insert(rows_.end(), measure.rows.begin(), measure.rows.end());

@@ -78,7 +78,7 @@ class FrameCheck {
   enum class Use { Both, Left, None };
   Use useOf(const Frame& frame, std::string& defect);
   StereoFault stereoFault(const Frame& frame);
-  bool isLate(const Image& right) const;
+  bool isLate(const GrayHalf& right) const;
 
   Image left_;              ///< of the last frame that had images
   Image right_;             ///< likewise

@@ -14,7 +14,7 @@
 namespace tolman::experiment {
 namespace {
 
-constexpr std::size_t kStretches = 20;  // of the path
+constexpr std::size_t kStretches = 20;  // of the path; chosen, not tuned
 constexpr std::uint64_t kSeed = 1;      // of the bootstrap
 constexpr const char* kError = "map.ate.rmse_m";
 
@@ -43,9 +43,9 @@ bool isAsGood(const Measured& run, const Measured& best) {
   return bootstrapMean({worse}, kSeed).low <= 0;
 }
 
-std::string metric(const RunRow& run, const std::string& key, const char* format) {
+std::string countOf(const RunRow& run, const std::string& key) {
   const auto found = run.metrics.find(key);
-  return found == run.metrics.end() ? "-" : fmt::format(fmt::runtime(format), found->second);
+  return found == run.metrics.end() ? "-" : fmt::format("{:.0f}", found->second);
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ Result<std::vector<Ranked>> rankedRuns(const std::vector<RunRow>& rows) {
     std::ranges::stable_sort(runs, {}, [](const Measured& run) { return run.ranked.rmse_m; });
     std::vector<Ranked> ranked;
     for (Measured& run : runs) {
-      run.ranked.is_best = isAsGood(run, runs.front());
+      run.ranked.as_good = isAsGood(run, runs.front());
       ranked.push_back(run.ranked);
     }
     return ranked;
@@ -97,20 +97,21 @@ Result<std::vector<Ranked>> rankedRuns(const std::vector<RunRow>& rows) {
 
 Table tableOf(const std::vector<Ranked>& ranked, const std::vector<RunRow>& rows) {
   Table table;
-  table.heading = factorNames(rows);
+  const std::vector<std::string> factors = factorNames(rows);
+  table.heading = factors;
   for (const char* name : {"map m", "95 %", "as good", "loops", "false"}) {
     table.heading.emplace_back(name);
   }
   const auto add = [&](const RunRow& run, const Ranked* error) {
     std::vector<std::string>& cells = table.rows.emplace_back();
-    for (const std::string& factor : factorNames(rows)) cells.push_back(run.label(factor));
+    for (const std::string& factor : factors) cells.push_back(run.label(factor));
     cells.push_back(error == nullptr ? "-" : fmt::format("{:.3g}", error->rmse_m));
     cells.push_back(error == nullptr ? "-"
                                      : fmt::format("{:.3g} to {:.3g}", error->interval.low,
                                                    error->interval.high));
-    cells.emplace_back(error != nullptr && error->is_best ? "yes" : "");
-    cells.push_back(metric(run, "loop_links", "{:.0f}"));
-    cells.push_back(metric(run, "loops.false_links", "{:.0f}"));
+    cells.emplace_back(error != nullptr && error->as_good ? "yes" : "");
+    cells.push_back(countOf(run, "loop_links"));
+    cells.push_back(countOf(run, "loops.false_links"));
   };
   for (const Ranked& run : ranked) add(*run.run, &run);
   for (const RunRow& row : rows) {

@@ -26,7 +26,7 @@ struct Ranked {
   const RunRow* run = nullptr;
   double rmse_m = 0;     ///< position error of the map after alignment
   Interval interval{};   ///< 95 %, of rmse_m
-  bool is_best = false;  ///< the first, or no worse as far as this recording can decide
+  bool as_good = false;  ///< the first, or no worse as far as this recording can decide
 };
 
 /// The runs with an error, best first. Intervals are bootstrapped over equal parts of the true

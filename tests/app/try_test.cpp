@@ -33,15 +33,28 @@ void writeSquare(const fs::path& folder, bool with_truth) {
   }
 }
 
+/// The command on that recording.
+struct Tried {
+  TemporaryFolder folder;
+  fs::path recording = folder.path() / "square";
+  fs::path out = folder.path() / "tried";
+  Finished finished;
+
+  explicit Tried(bool with_truth) {
+    fs::create_directories(recording);
+    writeSquare(recording, with_truth);
+    finished = run();
+  }
+  Finished run() const {
+    return tolman::test::tolman({"try", recording.string(), "--out", out.string()});
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the best combination is named, with what the recording cannot decide") {
-  const TemporaryFolder folder;
-  const fs::path recording = folder.path() / "square";
-  fs::create_directories(recording);
-  writeSquare(recording, true);
-  const fs::path out = folder.path() / "tried";
-  const Finished tried = tolman::test::tolman({"try", recording.string(), "--out", out.string()});
+  const Tried square(true);
+  const Finished& tried = square.finished;
   INFO(tried.err << tried.out);
   REQUIRE(tried.exit_code == 0);
   CHECK(tried.out.find("ended     6 of 6") != std::string::npos);
@@ -49,21 +62,17 @@ TEST_CASE("the best combination is named, with what the recording cannot decide"
   REQUIRE(best != std::string::npos);
   CHECK(tried.out.find("m (95 %: ", best) != std::string::npos);
   CHECK(tried.out.find("never returns") == std::string::npos);
-  const Finished again = tolman::test::tolman(
-      {"run", (out / "best.yaml").string(), "-q", "--out", (folder.path() / "again").string()});
+  const Finished again = tolman::test::tolman({"run", (square.out / "best.yaml").string(), "-q",
+                                               "--out", (square.folder.path() / "again").string()});
   CHECK(again.exit_code == 0);
-  CHECK(tolman::test::tolman({"try", recording.string(), "--out", out.string()}).exit_code == 8);
+  CHECK(square.run().exit_code == 8);
 }
 
 TEST_CASE("without truth nothing is called best") {
-  const TemporaryFolder folder;
-  const fs::path recording = folder.path() / "square";
-  fs::create_directories(recording);
-  writeSquare(recording, false);
-  const fs::path out = folder.path() / "tried";
-  const Finished tried = tolman::test::tolman({"try", recording.string(), "--out", out.string()});
+  const Tried square(false);
+  const Finished& tried = square.finished;
   INFO(tried.err << tried.out);
   REQUIRE(tried.exit_code == 0);
   CHECK(tried.out.find("without true poses nobody can say which is best") != std::string::npos);
-  CHECK(fs::exists(out / "best.yaml"));
+  CHECK(fs::exists(square.out / "best.yaml"));
 }

@@ -73,7 +73,8 @@ void PhotometricCalibration::readVignette(const fs::path& file, int width, int h
                               std::to_string(height) + "; give the vignette of these images");
   }
   const float brightest = *std::ranges::max_element(attenuation);
-  constexpr float kDarkest = 0.05F;  // of the brightest: below it a pixel shows the rim of the lens
+  // Of the brightest; below it a pixel shows the rim of the lens. Chosen, not tuned.
+  constexpr float kDarkest = 0.05F;
   for (float& value : attenuation) value = 1 / std::max(value / brightest, kDarkest);
   gain_ = std::move(attenuation);
 }

@@ -4,7 +4,6 @@
 // monocular visual odometry", 2016).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <vector>

@@ -57,16 +57,16 @@ Node treeOf(const cv::FileNode& xml) {
 void appendNumbers(const Node& node, std::vector<double>& numbers) {
   for (const Node& child : node.children) appendNumbers(child, numbers);
   if (node.kind != Node::Kind::Value || node.text.empty()) return;
-  const std::optional<double> number = text_encoding::parseNumber(node.text);
-  if (!number) {
-    throw FileError(node.line, inQuotes(node.text) + " " +
-                                   std::string(text_encoding::numberProblem(node.text)) +
-                                   "; correct it");
-  }
-  numbers.push_back(*number);
+  numbers.push_back(numberOf(node.text, node.line));
 }
 
 }  // namespace
+
+double numberOf(std::string_view field, int line) {
+  if (const std::optional<double> number = text_encoding::parseNumber(field)) return *number;
+  throw FileError(line, inQuotes(field) + " " + std::string(text_encoding::numberProblem(field)) +
+                            "; correct it");
+}
 
 const Node* Node::find(std::initializer_list<std::string_view> names) const {
   const Node* found = nullptr;

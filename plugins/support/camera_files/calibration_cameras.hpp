@@ -83,6 +83,9 @@ bool isLineCalibration(std::string_view text);
 /// P<left> and, for a pair, P<left + 1> of KITTI's calib.txt. Throws FileError.
 std::vector<Projection> kittiProjections(std::string_view text, int left, bool stereo);
 
+/// A number in a file. Throws FileError for any other text.
+double numberOf(std::string_view field, int line);
+
 /// A size in pixels. Throws FileError for what is none.
 int sizeOf(double pixels, int line);
 

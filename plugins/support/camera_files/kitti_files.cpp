@@ -39,13 +39,7 @@ class Lines {
     const int line = found->second.number;
     std::vector<double> numbers;
     for (const std::string_view field : text_encoding::splitFields(found->second.text)) {
-      const std::optional<double> number = text_encoding::parseNumber(field);
-      if (!number) {
-        throw FileError(line, text_encoding::inQuotes(field) + " " +
-                                  std::string(text_encoding::numberProblem(field)) +
-                                  "; correct it");
-      }
-      numbers.push_back(*number);
+      numbers.push_back(numberOf(field, line));
     }
     if (numbers.size() == count) return numbers;
     throw FileError(line, name + " has " + std::to_string(numbers.size()) + " numbers instead of " +

@@ -8,24 +8,27 @@
 namespace tolman::camera_files {
 namespace {
 
-using text_encoding::inQuotes;
 using text_encoding::TextLine;
 
-std::vector<double> numbersOf(const TextLine& line, std::size_t first) {
+/// The word before the numbers; empty if there is none.
+std::string_view wordOf(const TextLine& line) {
+  const std::string_view first = text_encoding::splitFields(line.text).front();
+  return text_encoding::parseNumber(first) ? "" : first;
+}
+
+/// The numbers behind wordOf().
+std::vector<double> numbersOf(const TextLine& line) {
   std::vector<double> numbers;
-  const std::vector<std::string_view> fields = text_encoding::splitFields(line.text);
-  for (std::size_t i = first; i < fields.size(); ++i) {
-    const std::optional<double> number = text_encoding::parseNumber(fields[i]);
-    if (!number) throw FileError(line.number, inQuotes(fields[i]) + " is no number; correct it");
-    numbers.push_back(*number);
-  }
+  std::vector<std::string_view> fields = text_encoding::splitFields(line.text);
+  if (!wordOf(line).empty()) fields.erase(fields.begin());
+  for (const std::string_view field : fields) numbers.push_back(numberOf(field, line.number));
   return numbers;
 }
 
-/// The model before the numbers; without one it is that of a field of view, as the sets have it.
+/// Without a word it is that of a field of view, as the sets have it.
 std::string_view modelOf(const TextLine& line) {
-  const std::string_view first = text_encoding::splitFields(line.text).front();
-  return text_encoding::parseNumber(first) ? "FOV" : first;
+  const std::string_view word = wordOf(line);
+  return word.empty() ? "FOV" : word;
 }
 
 bool isModel(std::string_view name) {
@@ -65,9 +68,8 @@ bool isLineCalibration(std::string_view text) {
 FileCameras lineCameras(std::string_view text) {
   const std::vector<TextLine> lines = text_encoding::contentLines(text);
   const std::string_view model = modelOf(lines[0]);
-  const bool is_named = model.data() == lines[0].text.data();
-  const std::vector<double> k = numbersOf(lines[0], is_named ? 1 : 0);
-  const std::vector<double> size = numbersOf(lines[1], 0);
+  const std::vector<double> k = numbersOf(lines[0]);
+  const std::vector<double> size = numbersOf(lines[1]);
   if (k.size() < 4) throw FileError(lines[0].number, "needs fx fy cx cy; complete it");
   FileCamera found;
   found.line = lines[0].number;
