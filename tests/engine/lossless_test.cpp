@@ -74,9 +74,9 @@ TEST_CASE("odometry and place recognition of one frame run side by side") {
   Hooks hooks;
   hooks.frames = 1;
   std::atomic<int> inside = 0;
-  const auto meet = [&](std::int64_t) {  // each waits for the other; gives up after 20 s
+  const auto meet = [&](std::int64_t) {  // each waits for the other; gives up after a minute
     ++inside;
-    for (int i = 0; i < 20000 && inside < 2; ++i) {
+    for (int i = 0; i < 60000 && inside < 2; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return inside == 2 ? Status::ok() : Status::failed("alone");
