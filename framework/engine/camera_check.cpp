@@ -100,6 +100,7 @@ namespace {
 // Measuring a pair takes 2 ms, so only every fifth frame is measured; every frame during a fault.
 constexpr int kMeasuredEvery = 5;    // frames
 constexpr int kCertain = 12;         // matches; with fewer, two measures must find the same fault
+constexpr double kTurns = 2;         // px between two frames
 constexpr int kSoundAgain = 5;       // measures without a fault, in succession, that end it
 constexpr std::size_t kFewest = 20;  // matches of which rowsText() speaks
 constexpr std::size_t kMostRows = 500;  // likewise
@@ -123,12 +124,19 @@ bool isRepeated(const Image& a, const Image& b) {
 
 }  // namespace
 
-/// Whether the right image and the left one before it are a sound pair: where the camera turns, an
-/// image that is a frame late looks as if both were exchanged.
-bool FrameCheck::isLate(const GrayHalf& right) const {
-  if (left_.empty()) return false;
+/// Whether the right image belongs to the left one of the frame before. Where the camera turns to
+/// one side, a late image looks as if both were exchanged and fits the left one before it; to the
+/// other side both fit, and what was seen in a turn to the first side decides.
+bool FrameCheck::isLate(const StereoMeasure& measure, const GrayHalf& right) {
+  const StereoFault now = faultOf(measure);
+  if (left_.empty() || (now != StereoFault::Exchanged && !late_)) return false;
   const StereoMeasure before = measureStereo(grayHalf(left_), right);
-  return before.matched >= kCertain && faultOf(before) == StereoFault::None;
+  if (before.matched < kCertain) return false;
+  const StereoFault then = faultOf(before);
+  if (then == StereoFault::Exchanged && now == StereoFault::None) late_ = false;
+  if (then == StereoFault::None && now == StereoFault::Exchanged) late_ = true;
+  const bool turns = std::fabs(before.to_left - measure.to_left) > kTurns;
+  return then == StereoFault::None && (now == StereoFault::Exchanged || (late_ && turns));
 }
 
 /// The present fault of the pair. A fault that is measured with few matches counts only if two
@@ -138,7 +146,7 @@ StereoFault FrameCheck::stereoFault(const Frame& frame) {
   const GrayHalf right = grayHalf(frame.right);
   const StereoMeasure measure = measureStereo(grayHalf(frame.left), right);
   StereoFault measured = faultOf(measure);
-  const bool late = measured == StereoFault::Exchanged && isLate(right);
+  const bool late = isLate(measure, right);
   if (late) measured = StereoFault::OtherTime;
   if (rows_.size() < kMostRows) {
     rows_.insert(rows_.end(), measure.rows.begin(), measure.rows.end());
@@ -156,7 +164,7 @@ StereoFault FrameCheck::stereoFault(const Frame& frame) {
   } else if (++sound_measures_ >= kSoundAgain) {
     fault_ = StereoFault::None;
   }
-  const bool settled = fault_ == StereoFault::None && measured == StereoFault::None;
+  const bool settled = fault_ == StereoFault::None && measured == StereoFault::None && !late_;
   until_measured_ = settled ? kMeasuredEvery - 1 : 0;
   return fault_;
 }
@@ -374,18 +382,20 @@ StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
   if (corners.empty()) return measure;
   measure.corners = static_cast<int>(corners.size());
   const GrayHalf bright = asBright(left, right);
-  std::vector<double> down;
+  std::vector<double> down, to_left;
   int exchanged = 0;
   for (const Corner& corner : corners) {
     const auto match = findMatch(bright, corner, right);
     if (!match) continue;
     down.push_back(2 * match->down);
+    to_left.push_back(2 * match->to_left);
     exchanged += match->to_left < -1 ? 1 : 0;
   }
   measure.matched = static_cast<int>(down.size());
   if (down.empty()) return measure;
   measure.rows = down;
   measure.rows_low = quantile(down, 0.5);
+  measure.to_left = quantile(to_left, 0.5);
   measure.share_exchanged = static_cast<double>(exchanged) / measure.matched;
   for (double& d : down) d = std::fabs(d - measure.rows_low);
   measure.spread = quantile(down, 0.8);

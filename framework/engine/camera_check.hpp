@@ -45,6 +45,7 @@ struct StereoMeasure {
   int matched = 0;             ///< number of unambiguous matches
   double rows_low = 0;         ///< median of row in the right image minus row in the left one, px
   double spread = 0;           ///< 80th percentile of the deviation of that from its median, px
+  double to_left = 0;          ///< median disparity, px
   double share_exchanged = 0;  ///< share of the matches that are further right in the right image
   std::vector<double> rows;    ///< of each match: row in the right image minus row in the left one
 };
@@ -78,11 +79,12 @@ class FrameCheck {
   enum class Use { Both, Left, None };
   Use useOf(const Frame& frame, std::string& defect);
   StereoFault stereoFault(const Frame& frame);
-  bool isLate(const GrayHalf& right) const;
+  bool isLate(const StereoMeasure& measure, const GrayHalf& right);
 
   Image left_;              ///< of the last frame that had images
   Image right_;             ///< likewise
   int until_measured_ = 0;  ///< frames
+  bool late_ = false;       ///< right images were found to be of the frame before
   int sound_measures_ = 0;  ///< in succession
   StereoFault last_measured_ = StereoFault::None;
   StereoFault fault_ = StereoFault::None;

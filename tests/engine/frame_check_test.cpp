@@ -126,19 +126,25 @@ TEST_CASE(
   for (std::size_t i = 25; i < 40; ++i) CHECK(used[i]);
 }
 
-TEST_CASE("a right image that is a frame late in a turn is not taken for exchanged cameras") {
-  FrameCheck check;
-  for (int i = 0; i < 12; ++i) {
-    PaintedPair pair;
-    pair.turned = 36 * i;
-    Frame frame;
-    frame.left = pair.left();
-    pair.turned = 36 * std::max(i - 1, 0);
-    frame.right = pair.right();
-    CAPTURE(i);
-    const auto fault = check.check(frame);
-    CHECK_FALSE(frame.left.empty());
-    if (i > 5) CHECK(fault.value_or("").starts_with("the right image belongs to the left one of"));
+TEST_CASE(
+    "a right image that is a frame late is known in turns to both sides, a sound one in none") {
+  const auto turned = [](int i) { return 36.0 * (i <= 12 ? i : 24 - i); };
+  for (const int late : {0, 1}) {
+    FrameCheck check;
+    for (int i = 0; i < 24; ++i) {
+      PaintedPair pair;
+      pair.turned = turned(i);
+      Frame frame;
+      frame.left = pair.left();
+      pair.turned = turned(std::max(i - late, 0));
+      frame.right = pair.right();
+      CAPTURE(late, i);
+      const std::string fault = check.check(frame).value_or("");
+      CHECK_FALSE(frame.left.empty());
+      if (late == 0) CHECK(fault.empty());
+      if (late == 1 && i > 5)
+        CHECK(fault.starts_with("the right image belongs to the left one of"));
+    }
   }
 }
 
