@@ -1,5 +1,5 @@
 # Debian packages: tolman (program, plugins, configurations, pages), libtolman-sdk-dev,
-# python3-tolman, and, built where ROS 1 is, tolman-ros1.
+# python3-tolman, and, built where ROS 1 and Cyclone DDS are, tolman-ros1 and tolman-ros2.
 #   scripts/package, or of what is built: cpack --config build/CPackConfig.cmake
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -13,6 +13,10 @@ set(packages program:tolman sdk:libtolman-sdk-dev python:python3-tolman)
 get_property(has_ros1 GLOBAL PROPERTY tolman_has_ros1)
 if(has_ros1)
   list(APPEND packages ros1:tolman-ros1)
+endif()
+get_property(has_ros2 GLOBAL PROPERTY tolman_has_ros2)
+if(has_ros2)
+  list(APPEND packages ros2:tolman-ros2)
 endif()
 list(TRANSFORM packages REPLACE ":.*" "" OUTPUT_VARIABLE CPACK_COMPONENTS_ALL)
 
@@ -28,7 +32,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 experience map, each a shared library, composed by one YAML file; every run is
 recorded. With a procedural town that needs no data set.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libtolman-sdk-dev, python3-tolman, tolman-ros1")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libtolman-sdk-dev, python3-tolman, tolman-ros1, tolman-ros2")
 
 set(CPACK_DEBIAN_SDK_PACKAGE_NAME libtolman-sdk-dev)
 set(CPACK_DEBIAN_SDK_PACKAGE_SECTION libdevel)
@@ -55,6 +59,13 @@ set(CPACK_COMPONENT_ROS1_DESCRIPTION
 nodes of ROS 1. Bags need it not: the package tolman reads them without ROS.")
 set(CPACK_DEBIAN_ROS1_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_ROS1_PACKAGE_DEPENDS "tolman (= ${PROJECT_VERSION})")
+
+set(CPACK_DEBIAN_ROS2_PACKAGE_NAME tolman-ros2)
+set(CPACK_COMPONENT_ROS2_DESCRIPTION
+    "This package has the source of live images and the publisher of pose and map,
+participants of ROS 2 through Cyclone DDS. ROS 2 itself need not be there.")
+set(CPACK_DEBIAN_ROS2_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_ROS2_PACKAGE_DEPENDS "tolman (= ${PROJECT_VERSION})")
 
 # Beside each other as in the repository, so that their links lead somewhere.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program

@@ -165,7 +165,7 @@ class PacedFeed {
       const double ahead_ns = static_cast<double>(stamp_ns - *first_ns);
       const auto due =
           start + std::chrono::nanoseconds(static_cast<std::int64_t>(ahead_ns / options_.speed));
-      waitUntil(due);
+      if (clock_ == ExposureClock::Pace) waitUntil(due);  // a live camera has its own pace
       records->exposed = clock_ == ExposureClock::Pace
                              ? std::chrono::nanoseconds(due.time_since_epoch())
                              : std::chrono::nanoseconds(stamp_ns) - ahead_of_steady_;

@@ -14,7 +14,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool hasRos1() { return fs::exists(inBuild("plugins/support/ros1_node/libtolman_ros1_node.a")); }
+/// Packages of plugins that need ROS, by the library of Debian that these need; only those built.
+std::vector<std::pair<std::string, std::string>> rosPackages() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& [ros, library] : {std::pair("ros1", "libroscpp"), {"ros2", "libddsc"}}) {
+    const std::string node = std::string(ros) + "_node";
+    if (!fs::exists(inBuild("plugins/support/" + node + "/libtolman_" + node + ".a"))) continue;
+    all.emplace_back(ros, library);
+  }
+  return all;
+}
 
 bool hasDpkg() {
   if (run({"dpkg-deb", "--version"}).exit_code == 0) return true;
@@ -99,18 +108,23 @@ TEST_CASE("what needs ROS is in a package of its own, the rest the same with and
   const Workshop workshop;
   makePackages(workshop);
   CHECK_FALSE(contains(field(workshop, "tolman", "Depends"), "ros"));
-  CHECK_FALSE(contains(workshop.shell("dpkg-deb -c packages/tolman.deb").out, "_ros1"));
-  const Finished packed = workshop.shell("mv packages/tolman-ros1_*.deb packages/tolman-ros1.deb");
-  REQUIRE((packed.exit_code == 0) == hasRos1());
-  if (!hasRos1()) return;
-  const std::string needs = field(workshop, "tolman-ros1", "Depends");
-  INFO(needs);
-  CHECK(contains(needs, "libroscpp"));
-  CHECK(contains(needs, "tolman (= "));
-  const std::string held = workshop.shell("dpkg-deb -c packages/tolman-ros1.deb").out;
-  CHECK(contains(held, "/tolman/plugins/tolman_source_ros1.so\n"));
-  CHECK(contains(held, "/tolman/plugins/tolman_observer_ros1_publisher.so\n"));
-  CHECK(contains(held, "./usr/share/doc/tolman-ros1/copyright\n"));
+  const std::string plain = workshop.shell("dpkg-deb -c packages/tolman.deb").out;
+  CHECK_FALSE(contains(plain, "_ros1"));
+  CHECK_FALSE(contains(plain, "_ros2"));
+  for (const auto& [ros, library] : rosPackages()) {
+    const std::string package = "tolman-" + ros;
+    const Finished packed =
+        workshop.shell("mv packages/" + package + "_*.deb packages/" + package + ".deb");
+    REQUIRE(packed.exit_code == 0);
+    const std::string needs = field(workshop, package, "Depends");
+    INFO(needs);
+    CHECK(contains(needs, library));
+    CHECK(contains(needs, "tolman (= "));
+    const std::string held = workshop.shell("dpkg-deb -c packages/" + package + ".deb").out;
+    CHECK(contains(held, "/tolman/plugins/tolman_source_" + ros + ".so\n"));
+    CHECK(contains(held, "/tolman/plugins/tolman_observer_" + ros + "_publisher.so\n"));
+    CHECK(contains(held, "./usr/share/doc/" + package + "/copyright\n"));
+  }
 }
 
 TEST_CASE("packages of the same sources are the same bytes at any hour") {
@@ -151,9 +165,11 @@ TEST_CASE("unpacked packages work from their folder") {
   REQUIRE(installed.exit_code == 0);
   CHECK(installed.out.ends_with("2\n"));
   checkUse(workshop, "installed");
+  std::string others;
+  for (const auto& [ros, library] : rosPackages()) others += " tolman-" + ros;
   const Finished removed = workshop.shell(
       "dpkg --root=\"$PWD/installed\" --force-depends -P python3-tolman tolman libtolman-sdk-dev" +
-      std::string(hasRos1() ? " tolman-ros1" : "") +
+      others +
       "\n"
       "find installed -path '*/usr/*' -type f");
   INFO(removed.out << removed.err);

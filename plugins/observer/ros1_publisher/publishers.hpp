@@ -13,6 +13,10 @@
 
 namespace tolman::ros1_publisher {
 
+using ros_map::MapShapes;
+using ros_map::RosPoint;
+using ros_map::RosPose;
+
 class Publishers {
  public:
   /// Topics below `prefix`, and /tf if `tf`. Path and map are latched: a later subscriber gets the

@@ -41,7 +41,8 @@ Status Ros1Publisher::observe(const Snapshot& snapshot) {
   if (snapshot.map != nullptr) {
     stamp_ns_ = snapshot.map->stamp_ns;
     const Eigen::Isometry3d& T_world_camera = snapshot.map->T_world_camera;
-    publishers_->publishPose(stamp_ns_, robotPose(T_world_camera), cameraPose(T_world_camera));
+    publishers_->publishPose(stamp_ns_, ros_map::robotPose(T_world_camera),
+                             ros_map::cameraPose(T_world_camera));
   }
   if (snapshot.graph != nullptr) {
     waiting_ = *snapshot.graph;
@@ -62,7 +63,7 @@ Status Ros1Publisher::finish(const MapGraph& graph) {
 }
 
 void Ros1Publisher::publishMap(const MapGraph& graph) {
-  publishers_->publishMap(stamp_ns_, shapesOf(graph));
+  publishers_->publishMap(stamp_ns_, ros_map::shapesOf(graph));
   has_waiting_ = false;
 }
 

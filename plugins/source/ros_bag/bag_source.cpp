@@ -75,7 +75,9 @@ Status BagSource::prepare(const Context& context) {
         truth_.load(*bag_, *chosen_.truth, TruthName::of(parameters_.truth), frames_ns, *findings_);
     if (!status.isOk()) return status;
   }
-  return side_.load(*bag_, chosen_.imu, chosen_.odometry, frames_ns, *findings_);
+  auto side = loadMeasurements(*bag_, chosen_.imu, chosen_.odometry, frames_ns, *findings_);
+  if (side.isOk()) side_ = std::move(side).value();
+  return side.status();
 }
 
 std::int64_t BagSource::imageStampNs(std::int64_t source_index) const {
@@ -311,15 +313,7 @@ Result<NamedArray> BagSource::readDepth(const FrameRow& row) {
 
 Status BagSource::describe(std::vector<ArrayInfo>& arrays) const {
   side_.describe(arrays);
-  if (chosen_.depth == nullptr) return Status::ok();
-  ArrayInfo& info = arrays.emplace_back();
-  info.name = "depth";
-  info.kind = ArrayKind::DepthImage;
-  info.unit = "m";
-  info.doc = "depth along the optical axis, 0 where it is not known";
-  info.axes.resize(2);
-  info.axes[0].name = "row";
-  info.axes[1].name = "column";
+  if (chosen_.depth != nullptr) arrays.push_back(ros_messages::depthInfo());
   return Status::ok();
 }
 

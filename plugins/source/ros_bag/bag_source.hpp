@@ -10,7 +10,7 @@
 #include "bag.hpp"
 #include "bag_parameters.hpp"
 #include "camera_rigs.hpp"
-#include "side_measurements.hpp"
+#include "frame_table.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 #include "topic_choice.hpp"

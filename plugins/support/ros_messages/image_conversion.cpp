@@ -280,4 +280,16 @@ Result<std::vector<float>> convertDepth(const std::string& type, const Message& 
   return depth;
 }
 
+ArrayInfo depthInfo() {
+  ArrayInfo info;
+  info.name = "depth";
+  info.kind = ArrayKind::DepthImage;
+  info.unit = "m";
+  info.doc = "depth along the optical axis, 0 where it is not known";
+  info.axes.resize(2);
+  info.axes[0].name = "row";
+  info.axes[1].name = "column";
+  return info;
+}
+
 }  // namespace tolman::ros_messages

@@ -6,6 +6,7 @@
 
 #include "image_size.hpp"
 #include "messages.hpp"
+#include "tolman/fields.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
 #include "used_bits.hpp"
@@ -41,5 +42,8 @@ bool isDepth(const std::string& type, const Message& message);
 /// or of a CompressedImage as image_transport writes it: PNG of 16UC1, or `compressedDepth`.
 Result<std::vector<float>> convertDepth(const std::string& type, const Message& message,
                                         ImageSize& size);
+
+/// Description of the sensor array `depth`.
+ArrayInfo depthInfo();
 
 }  // namespace tolman::ros_messages

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <catch2/catch.hpp>
+#include "frame_table.hpp"
 
-#include "side_measurements.hpp"
+#include <catch2/catch.hpp>
 
 namespace tolman::ros_bag {
 namespace {

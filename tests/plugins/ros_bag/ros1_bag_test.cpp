@@ -128,16 +128,16 @@ TEST_CASE("sensors and topics of a ROS 1 bag", "[data]") {
   CHECK(sensor("imu.linear_acceleration") == std::vector<float>{9.81F, -3, 0.01F});
   REQUIRE(sensor("motion.planar").size() == 3);
   CHECK(sensor("motion.planar")[0] == Approx(0.1));
-  const std::vector<std::string> findings = played.findings();
   const auto has = [&](const std::string& text) {
-    return std::any_of(findings.begin(), findings.end(), [&](const std::string& finding) {
-      return finding.find(text) != std::string::npos;
+    const auto& findings = played.context.findings;
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
+      return (finding.where + ": " + finding.message).find(text) != std::string::npos;
     });
   };
-  CHECK(has("note /cam0/image_raw: sensor_msgs/msg/Image, 8 messages at 20 Hz"));
+  CHECK(has("/cam0/image_raw: sensor_msgs/msg/Image, 8 messages at 20 Hz"));
   CHECK(has("752x480 mono8, used as left"));
-  CHECK(has("note /chatter: std_msgs/msg/String, 8 messages"));
-  CHECK(has("note /imu0: sensor_msgs/msg/Imu, 8 messages at 20 Hz, 0.00"));
+  CHECK(has("/chatter: std_msgs/msg/String, 8 messages"));
+  CHECK(has("/imu0: sensor_msgs/msg/Imu, 8 messages at 20 Hz, 0.00"));
   CHECK(has("used as odometry"));
 }
 

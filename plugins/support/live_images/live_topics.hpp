@@ -5,10 +5,10 @@
 #include <map>
 #include <string>
 
-#include "ros1_parameters.hpp"
+#include "live_parameters.hpp"
 #include "tolman/status.hpp"
 
-namespace tolman::ros1 {
+namespace tolman::live_images {
 
 /// Names of topics; empty if there is none.
 struct LiveTopics {
@@ -16,15 +16,18 @@ struct LiveTopics {
   std::string right;
   std::string left_info;
   std::string right_info;
+  std::string depth;
+  std::string imu;
+  std::string odometry;
 };
 
 /// Chooses the topics that the parameters name, and for the others the only possibility.
-/// `published`: types by name ("sensor_msgs/Image"). InvalidInput if a topic is not published
+/// `published`: types by name; `command` lists them. InvalidInput if a topic is not published
 /// (yet). InvalidParameter if there is more than one possibility; the message names the topics.
 Result<LiveTopics> chooseLiveTopics(const std::map<std::string, std::string>& published,
-                                    const Ros1Parameters& parameters);
+                                    const LiveParameters& parameters, const std::string& command);
 
-/// The type of the messages in the notation of ROS 2.
+/// The type of the messages in the notation of ROS 2, of one in that of either.
 std::string ros2Type(const std::string& type);
 
-}  // namespace tolman::ros1
+}  // namespace tolman::live_images

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-namespace tolman::ros1_publisher {
+namespace tolman::ros_map {
 namespace {
 
 /// A camera at (right, down, forward) that has turned to the left by `angle`.
@@ -73,4 +73,4 @@ TEST_CASE("a map as a path and lines; rejected loops are left out") {
   CHECK(shapes.loops[1].x == 0);
 }
 
-}  // namespace tolman::ros1_publisher
+}  // namespace tolman::ros_map

@@ -8,7 +8,7 @@
 #include "ros_geometry.hpp"
 #include "tolman/records.hpp"
 
-namespace tolman::ros1_publisher {
+namespace tolman::ros_map {
 
 /// Axes of the robot (x forward) in the map, as RViz shows poses.
 RosPose robotPose(const Eigen::Isometry3d& T_world_camera);
@@ -18,4 +18,4 @@ RosPose cameraPose(const Eigen::Isometry3d& T_world_camera);
 
 MapShapes shapesOf(const MapGraph& graph);
 
-}  // namespace tolman::ros1_publisher
+}  // namespace tolman::ros_map

@@ -7,7 +7,7 @@
 #include "camera_rigs.hpp"
 #include "messages.hpp"
 
-namespace tolman::ros1 {
+namespace tolman::live_images {
 namespace {
 
 using Published = std::map<std::string, std::string>;
@@ -33,7 +33,9 @@ std::string listed(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
-Status checkNamed(const Published& published, const std::string& name, bool images) {
+/// `type`: of the messages; empty for those of images.
+Status checkNamed(const Published& published, const std::string& name, std::string_view type = "") {
+  const bool images = type.empty();
   const auto topic = published.find(name);
   if (topic == published.end()) {
     const std::string others = images ? "; topics with images are: " : "";
@@ -41,18 +43,19 @@ Status checkNamed(const Published& published, const std::string& name, bool imag
                                 (images ? listed(cameraTopics(published))
                                         : "; start the camera's node, or name another topic"));
   }
-  const bool fits =
-      images ? hasImages(topic->second) : ros2Type(topic->second) == ros_messages::kCameraInfo;
+  const bool fits = images ? hasImages(topic->second) : ros2Type(topic->second) == type;
   if (fits) return Status::ok();
   return Status::invalidParameter("topic " + name + " is of type " + topic->second +
                                   "; name another one");
 }
 
-Status chooseCameras(const Published& published, const Ros1Parameters& p, LiveTopics& chosen) {
-  const std::vector<std::string> cameras = cameraTopics(published);
+Status chooseCameras(const Published& published, const LiveParameters& p,
+                     const std::string& command, LiveTopics& chosen) {
+  std::vector<std::string> cameras = cameraTopics(published);
+  std::erase(cameras, p.depth);
   if (p.left.empty() && cameras.empty()) {
-    return Status::invalidInput(
-        "nobody publishes images; start the camera's node (`rostopic list` shows the topics)");
+    return Status::invalidInput("nobody publishes images; start the camera's node (`" + command +
+                                " list` shows the topics)");
   }
   const ros_messages::CameraNames given{p.left, p.right};
   const auto found = ros_messages::chooseCameraNames(cameras, given, p.mono);
@@ -66,20 +69,8 @@ Status chooseCameras(const Published& published, const Ros1Parameters& p, LiveTo
   return Status::ok();
 }
 
-}  // namespace
-
-std::string ros2Type(const std::string& type) {
-  const auto slash = type.find('/');
-  return slash == std::string::npos ? type : std::string(type).insert(slash, "/msg");
-}
-
-Result<LiveTopics> chooseLiveTopics(const Published& published, const Ros1Parameters& p) {
-  LiveTopics chosen;
-  Status status = chooseCameras(published, p, chosen);
-  if (status.isOk()) status = checkNamed(published, chosen.left, true);
-  if (status.isOk() && !chosen.right.empty()) status = checkNamed(published, chosen.right, true);
-  if (!status.isOk()) return status;
-  if (p.isGiven()) return chosen;
+Status chooseInfos(const Published& published, const LiveParameters& p, LiveTopics& chosen) {
+  if (p.isGiven()) return Status::ok();
   for (const bool right : {false, true}) {
     const std::string& camera = right ? chosen.right : chosen.left;
     const std::string& given = right ? p.right_info : p.left_info;
@@ -88,13 +79,43 @@ Result<LiveTopics> chooseLiveTopics(const Published& published, const Ros1Parame
     const std::string beside = ros_messages::infoBeside(camera);
     info = !given.empty() ? given : published.contains(beside) ? beside : "";
     if (info.empty()) continue;
-    if (status = checkNamed(published, info, false); !status.isOk()) return status;
+    if (Status status = checkNamed(published, info, ros_messages::kCameraInfo); !status.isOk()) {
+      return status;
+    }
   }
   const bool pair = !chosen.right.empty();
-  if (!pair || (!chosen.left_info.empty() && !chosen.right_info.empty())) return chosen;
+  if (!pair || (!chosen.left_info.empty() && !chosen.right_info.empty())) return Status::ok();
   return Status::invalidInput(
       "nobody publishes a CameraInfo beside " + chosen.left + " and " + chosen.right +
       "; set left_info and right_info, give pinhole and baseline, or set mono: true");
 }
 
-}  // namespace tolman::ros1
+}  // namespace
+
+std::string ros2Type(const std::string& type) {
+  const auto slash = type.find('/');
+  const bool is_whole = slash == std::string::npos || slash != type.rfind('/');
+  return is_whole ? type : std::string(type).insert(slash, "/msg");
+}
+
+Result<LiveTopics> chooseLiveTopics(const Published& published, const LiveParameters& p,
+                                    const std::string& command) {
+  LiveTopics chosen;
+  chosen.depth = p.depth;
+  chosen.imu = p.imu;
+  chosen.odometry = p.odometry;
+  Status status = chooseCameras(published, p, command, chosen);
+  const auto check = [&](const std::string& name, std::string_view type = "") {
+    if (status.isOk() && !name.empty()) status = checkNamed(published, name, type);
+  };
+  check(chosen.left);
+  check(chosen.right);
+  check(chosen.depth);
+  check(chosen.imu, ros_messages::kImu);
+  check(chosen.odometry, ros_messages::kOdometry);
+  if (status.isOk()) status = chooseInfos(published, p, chosen);
+  if (!status.isOk()) return status;
+  return chosen;
+}
+
+}  // namespace tolman::live_images

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_shapes.hpp"
 
-namespace tolman::ros1_publisher {
+namespace tolman::ros_map {
 namespace {
 
 /// Camera axes (x right, y down, z forward) in axes of ROS (x forward, y left, z up).
@@ -47,4 +47,4 @@ MapShapes shapesOf(const MapGraph& graph) {
   return shapes;
 }
 
-}  // namespace tolman::ros1_publisher
+}  // namespace tolman::ros_map

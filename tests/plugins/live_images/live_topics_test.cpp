@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace tolman::ros1 {
+namespace tolman::live_images {
 namespace {
 
 using Published = std::map<std::string, std::string>;
@@ -12,8 +12,8 @@ constexpr const char* kImage = "sensor_msgs/Image";
 constexpr const char* kCompressed = "sensor_msgs/CompressedImage";
 constexpr const char* kInfo = "sensor_msgs/CameraInfo";
 
-std::string chosen(const Published& published, const Ros1Parameters& parameters = {}) {
-  const auto topics = chooseLiveTopics(published, parameters);
+std::string chosen(const Published& published, const LiveParameters& parameters = {}) {
+  const auto topics = chooseLiveTopics(published, parameters, "rostopic");
   if (!topics.isOk()) return topics.status().message();
   const LiveTopics& t = topics.value();
   return t.left + " " + t.right + " " + t.left_info + " " + t.right_info;
@@ -27,6 +27,7 @@ const Published kPair = {{"/left/image_raw", kImage},   {"/left/image_raw/compre
 
 TEST_CASE("types are named as ROS 2 names them") {
   CHECK(ros2Type("sensor_msgs/Image") == "sensor_msgs/msg/Image");
+  CHECK(ros2Type("sensor_msgs/msg/Image") == "sensor_msgs/msg/Image");
   CHECK(ros2Type("odd") == "odd");
 }
 
@@ -35,15 +36,15 @@ TEST_CASE("the only camera, or the only pair") {
   CHECK(chosen({{"/c/image", kCompressed}, {"/c/camera_info", kInfo}}) ==
         "/c/image  /c/camera_info ");
   CHECK(chosen(kPair) == "/left/image_raw /right/image_raw /left/camera_info /right/camera_info");
-  Ros1Parameters mono;
+  LiveParameters mono;
   mono.mono = true;
   mono.left = "/right/image_raw";
   CHECK(chosen(kPair, mono) == "/right/image_raw  /right/camera_info ");
 }
 
 TEST_CASE("topics that may yet come are invalid input, a choice is one of parameters") {
-  const auto code = [](const Published& published, const Ros1Parameters& parameters) {
-    return chooseLiveTopics(published, parameters).status().code();
+  const auto code = [](const Published& published, const LiveParameters& parameters) {
+    return chooseLiveTopics(published, parameters, "rostopic").status().code();
   };
   CHECK(code({}, {}) == StatusCode::InvalidInput);
   CHECK(chosen({{"/rosout", "rosgraph_msgs/Log"}}) ==
@@ -51,7 +52,7 @@ TEST_CASE("topics that may yet come are invalid input, a choice is one of parame
   const Published two = {{"/front", kImage}, {"/rear", kImage}};
   CHECK(code(two, {}) == StatusCode::InvalidParameter);
   CHECK(chosen(two) == "there are several cameras; set left to one of: /front, /rear");
-  Ros1Parameters named;
+  LiveParameters named;
   named.left = "/top";
   CHECK(code(two, named) == StatusCode::InvalidInput);
   CHECK(chosen(two, named) == "nobody publishes /top; topics with images are: /front, /rear");
@@ -65,7 +66,7 @@ TEST_CASE("a pair needs a calibration") {
   CHECK(chosen(without) ==
         "nobody publishes a CameraInfo beside /left/image_raw and /right/image_raw; set left_info "
         "and right_info, give pinhole and baseline, or set mono: true");
-  Ros1Parameters given;
+  LiveParameters given;
   given.right_info = "/left/camera_info";
   CHECK(chosen(without, given) ==
         "/left/image_raw /right/image_raw /left/camera_info /left/camera_info");
@@ -76,4 +77,18 @@ TEST_CASE("a pair needs a calibration") {
   CHECK(chosen(without, given) == "/left/image_raw /right/image_raw  ");
 }
 
-}  // namespace tolman::ros1
+TEST_CASE("depth and measurements are those that are named, and no cameras") {
+  const Published robot = {{"/rgb", kImage},
+                           {"/depth", kImage},
+                           {"/imu", "sensor_msgs/msg/Imu"},
+                           {"/odom", "nav_msgs/msg/Odometry"}};
+  LiveParameters named;
+  named.depth = "/depth";
+  named.imu = "/imu";
+  named.odometry = "/odom";
+  CHECK(chosen(robot, named) == "/rgb   ");
+  named.odometry = "/imu";
+  CHECK(chosen(robot, named) == "topic /imu is of type sensor_msgs/msg/Imu; name another one");
+}
+
+}  // namespace tolman::live_images

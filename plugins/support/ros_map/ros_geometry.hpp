@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace tolman::ros1_publisher {
+namespace tolman::ros_map {
 
 struct RosPoint {
   double x = 0, y = 0, z = 0;  ///< m
@@ -23,4 +23,4 @@ struct MapShapes {
   std::vector<RosPoint> loops;        ///< two points for each link that was not rejected
 };
 
-}  // namespace tolman::ros1_publisher
+}  // namespace tolman::ros_map
