@@ -57,15 +57,43 @@ std::optional<Eigen::Vector3d> parsePlace(std::string_view text) {
   return {};
 }
 
-/// Start or goal from the text of an option: "here" (the newest experience; during a run the last
-/// in the recorded graph), an experience ("17"), or a place, for which the nearest experience is
-/// taken of the first part of the map: in its world frame places are given, and the poses of the
-/// other parts in this frame are unknown.
-End endOf(const std::string& text, const Map& map) {
-  if (text == "here") {
+/// The experience nearest to a place, of the part of the map that `experience` is in; in its world
+/// frame places are given, and the poses of the other parts in this frame are unknown.
+End nearestTo(const Eigen::Vector3d& place, std::int64_t experience, const std::string& given,
+              const Map& map) {
+  MapGraph own = map.graph;
+  const record::GraphParts parts = record::partsOf(own);
+  const auto partOf = [&](std::int64_t id) {
+    return parts.of_experience[static_cast<std::size_t>(id)];
+  };
+  std::erase_if(own.experiences,
+                [&](const Experience& other) { return partOf(other.id) != partOf(experience); });
+  const std::int64_t id = planning::nearestExperience(own, place);
+  if (id < 0) return {given, id};  // the search reports that it is not in the map
+  return {given, id, (map.placeOf(id) - place).head(std::isnan(place.z()) ? 2 : 3).norm()};
+}
+
+/// Where the robot was last: in a run that localises, at the experience that is nearest to its
+/// pose; else at the newest one, during a run the last in the recorded graph.
+End hereIn(const std::string& text, const Map& map) {
+  if (valueOf(map.reader->localisedIn(), ExitCode::Dataset).empty()) {
     const auto newest = valueOf(map.reader->newestExperience(), ExitCode::Dataset);
     return {text, std::min(newest, std::ssize(map.graph.experiences) - 1)};
   }
+  const auto answers = valueOf(map.reader->records<MapUpdate>(), ExitCode::Dataset);
+  if (answers.empty() || answers.back().experience < 0) {
+    fail(ExitCode::Dataset, map.reader->directory().string() +
+                                ": its last place is unknown, so no route begins `here`");
+  }
+  const MapUpdate& last = answers.back();
+  const Eigen::Vector3d place = planning::placeOf({.T_world_experience = last.T_world_camera});
+  return nearestTo(place, last.experience, text, map);
+}
+
+/// Start or goal from the text of an option: "here", an experience ("17"), or a place in the first
+/// part of the map.
+End endOf(const std::string& text, const Map& map) {
+  if (text == "here") return hereIn(text, map);
   if (const auto id = config::readInteger(text); id.isOk()) return {text, id.value()};
   const std::optional<Eigen::Vector3d> place = parsePlace(text);
   if (!place) {
@@ -74,14 +102,7 @@ End endOf(const std::string& text, const Map& map) {
              "' is not a place: give an experience (17), `here`, or metres right, forward "
              "and, optionally, up from the start (12.5,-30,6), each at most 1e9");
   }
-  MapGraph first = map.graph;
-  const record::GraphParts parts = record::partsOf(first);
-  std::erase_if(first.experiences, [&](const Experience& experience) {
-    return parts.of_experience[static_cast<std::size_t>(experience.id)] != 0;
-  });
-  const std::int64_t id = planning::nearestExperience(first, *place);
-  if (id < 0) return {text, id};  // the search reports that it is not in the map
-  return {text, id, (map.placeOf(id) - *place).head(std::isnan(place->z()) ? 2 : 3).norm()};
+  return nearestTo(*place, 0, text, map);
 }
 
 /// The route for readers and programs. `unit`: "m", or "units" for the arbitrary ones of a single

@@ -55,7 +55,7 @@ void check(const SystemOptionsReader& reader, bool explain, const Invocation& in
   engine::SystemOptions system = reader.read(invocation);
   system.apart = true;
   const auto checked = engine::checkSystem(system);
-  const std::string& continued = checked.config.general.continue_from;
+  const std::string& continued = checked.config.general.earlier();
   if (!continued.empty()) {  // otherwise it would be refused only when the run begins
     (void)engine::require(record::RunReader::open(continued), engine::FailureKind::Continuation);
   }

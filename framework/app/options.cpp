@@ -105,11 +105,14 @@ SystemOptionsReader::SystemOptionsReader(CLI::App& command) : command_(command) 
 void SystemOptionsReader::addContinue() {
   addOption(command_, "--continue", continue_, "RUN",
             "Continue the map of this run directory; same as --set continue=DIR");
+  addOption(command_, "--localise", localise_, "RUN",
+            "Find the robot in the map of this run directory, which stays as it is")
+      ->excludes(command_.get_option("--continue"));
   CLI::Option* resume = addOption(command_, "--resume", resume_, "RUN",
                                   "Go on with this interrupted or killed run, in its directory "
                                   "and with its configuration");
   command_.get_option("config")->required(false);
-  for (const char* other : {"config", "--set", "--seed", "--threads", "--continue"}) {
+  for (const char* other : {"config", "--set", "--seed", "--threads", "--continue", "--localise"}) {
     resume->excludes(command_.get_option(other));  // a resumed run keeps its options
   }
 }
@@ -127,6 +130,7 @@ engine::SystemOptions SystemOptionsReader::read(const Invocation& invocation, Us
   if (!seed_.empty()) options.overrides.push_back("seed=" + seed_);
   if (!threads_.empty()) options.overrides.push_back("threads=" + threads_);
   if (!continue_.empty()) options.overrides.push_back("continue=" + config::writeText(continue_));
+  if (!localise_.empty()) options.overrides.push_back("localise=" + config::writeText(localise_));
   return options;
 }
 

@@ -71,8 +71,8 @@ std::string configFile(const std::string& given);
 /// This program: PREFIX/bin/tolman.
 std::filesystem::path thisProgram();
 
-/// CONFIG, --set, --seed, --threads, --continue, --resume. CONFIG may be a recording: it is read
-/// with the configuration that `tolman init` writes for it.
+/// CONFIG, --set, --seed, --threads, --continue, --localise, --resume. CONFIG may be a recording:
+/// it is read with the configuration that `tolman init` writes for it.
 class SystemOptionsReader {
  public:
   explicit SystemOptionsReader(CLI::App& command);
@@ -90,6 +90,7 @@ class SystemOptionsReader {
   std::string seed_;
   std::string threads_;
   std::string continue_;
+  std::string localise_;
   std::string resume_;
 };
 

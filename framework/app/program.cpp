@@ -61,6 +61,7 @@ constexpr std::array kExamples = {
     Example{"tolman run ~/recording --view", "your own recording, watched in the browser"},
     Example{"tolman run configs/kitti.yaml --set source.path=~/kitti/sequences/06", "a data set"},
     Example{"tolman run configs/kitti.yaml --continue runs/monday", "continue a saved map"},
+    Example{"tolman run configs/kitti.yaml --localise runs/monday", "where in that saved map?"},
     Example{"tolman help run", "the options of a command"},
     Example{"tolman check configs/kitti.yaml --explain", "every value and where it comes from"},
     Example{"tolman init ~/recording --out mine.yaml", "a configuration for your own recording"},

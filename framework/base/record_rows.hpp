@@ -17,6 +17,8 @@ inline constexpr std::int64_t kSchemaVersion = 6;
 /// In table `run` of a run with `record.replay`: how many of the descriptions of arrays, from the
 /// first, are those of the source.
 inline constexpr const char* kSensorsKey = "sensors";
+/// Key in table `run`, of a run that localises: the run whose map it uses.
+inline constexpr const char* kLocalisedKey = "localised_in";
 
 /// The frames of one run.
 struct RecordedSession {

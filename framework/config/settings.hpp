@@ -28,6 +28,9 @@ struct GeneralSettings {
   int threads = 0;
   FindingPolicy on_findings = FindingPolicy::Stop;
   std::string continue_from;  ///< key `continue`, a reserved word in C++
+  std::string localise;
+  /// The run whose saved map is loaded; empty: none.
+  const std::string& earlier() const { return localise.empty() ? continue_from : localise; }
   static constexpr auto declaration() {
     return parameters(parameter("name", &GeneralSettings::name)
                           .doc("Name of the run; default: name of the file."),
@@ -42,7 +45,11 @@ struct GeneralSettings {
                                "them and warn."),
                       parameter("continue", &GeneralSettings::continue_from)
                           .path()
-                          .doc("Run directory whose map this run continues; empty for a new map."));
+                          .doc("Run directory whose map this run continues; empty for a new map."),
+                      parameter("localise", &GeneralSettings::localise)
+                          .path()
+                          .doc("Run directory in whose map the robot is found, without changing "
+                               "that map; empty: none."));
   }
 };
 

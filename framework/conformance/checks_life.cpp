@@ -195,6 +195,30 @@ void checkState(CheckContext& context) {
   }
 }
 
+/// Two passes in the saved map of one: no answer may say that it has grown, nor may its size.
+void checkLocaliser(CheckContext& context) {
+  constexpr std::size_t kRounding = 16384;  // bytes that depend on the place, not on time
+  const InputSequence sequence = context.sequence();
+  if (!context.manifest().hasExtra("localise")) context.skip("it does not declare Localiser");
+  const auto learned = context.configured(sequence.rig);
+  context.require(learned->run(sequence));
+  std::stringstream map;
+  context.require(learned->save(map));
+  const auto instance = TestInstance::make(context.completePlugin());
+  context.require(instance->configure(sequence.rig, true));
+  context.require(instance->load(map));
+  instance->continueRun(*learned);
+  for (int pass = 0; pass < 2; ++pass) {
+    context.require(instance->run(sequence), "in a map that stays as it is");
+  }
+  std::ostringstream after;
+  context.require(instance->save(after));
+  const std::size_t grown = after.str().size();
+  if (grown <= map.str().size() + kRounding) return;
+  context.error("its state grew from " + std::to_string(map.str().size()) + " to " +
+                std::to_string(grown) + " bytes while it localised");
+}
+
 constexpr std::array kLifeChecks = {
     Check{"life-unused", 1, kAllRoles,
           "may be destroyed before and right after configure(); finish() and reset() work without "
@@ -227,6 +251,10 @@ constexpr std::array kLifeChecks = {
           &checkThreads, true},
     Check{"state", 2, kAllRoles, "after save() and load() all later answers are bitwise equal",
           "save everything that later answers depend on, random streams included", &checkState},
+    Check{"localise", 2, bit(Role::Place) | bit(Role::Cells),
+          "with context.localise it uses a saved map, and nothing is added to it",
+          "answer None instead of Novel, and Stay with experience -1 instead of a new experience",
+          &checkLocaliser},
 };
 
 }  // namespace

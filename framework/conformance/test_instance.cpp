@@ -21,6 +21,9 @@ class InstanceOf : public TestInstance {
 
  protected:
   host::Instance& instance() override { return stage_.instance(); }
+  void checkLocalised() override {
+    if constexpr (requires { stage_.localise(); }) stage_.localise();
+  }
   void resetChecks() override {
     if constexpr (requires { stage_.resetChecks(now_.count); }) {
       stage_.resetChecks(now_.count);
@@ -231,7 +234,7 @@ Status TestInstance::checked(std::string_view call, std::int64_t frame, const St
                        [&] { return status; });
 }
 
-Status TestInstance::configure(const CameraRig& rig) {
+Status TestInstance::configure(const CameraRig& rig, bool localise) {
   plugin_.trace("configure");
   const bool is_source = plugin_.role() == Role::Source;
   const Context context{values_,
@@ -242,10 +245,12 @@ Status TestInstance::configure(const CameraRig& rig) {
                         services,
                         is_source ? CameraRig() : rig,
                         plugin_.seed,
-                        instance().name()};
+                        instance().name(),
+                        localise};
   rig_ = rig;
   const Status status = instance().configure(context);
   if (status.isOk()) beginRun();
+  if (localise) checkLocalised();
   return status;
 }
 

@@ -80,7 +80,8 @@ class TestInstance {
   TestInstance(const TestInstance&) = delete;
   TestInstance& operator=(const TestInstance&) = delete;
 
-  Status configure(const CameraRig& rig);
+  /// `localise`: in a map that stays as it is; load() follows.
+  Status configure(const CameraRig& rig, bool localise = false);
   Status reset();
   Status process(const FrameInput& input);
   /// Processes inputs first ... last - 1, up to the first failure. A source gives as many frames.
@@ -110,6 +111,8 @@ class TestInstance {
   virtual Status answerEnd(const InputSequence& sequence, TranscriptEntry& answer) = 0;
   /// Sets the state of the host's own checks to the progress of the run.
   virtual void resetChecks() = 0;
+  /// The host's own checks of a Localiser.
+  virtual void checkLocalised() = 0;
   /// Adds the call site to a failure that the kit found.
   Status checked(std::string_view call, std::int64_t frame, const Status& status);
 

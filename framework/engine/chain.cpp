@@ -199,7 +199,9 @@ bool Chain::runCells(FrameRecords& records) {
 
 bool Chain::runMap(FrameRecords& records) {
   const Status status = timed(records.times, Role::Map, [&] {
-    return stages_.map.update(records.motion, records.decision, records.map);
+    if (!localised_) return stages_.map.update(records.motion, records.decision, records.map);
+    records.map = localised_->update(records.motion, records.decision);
+    return Status::ok();
   });
   if (!applyPolicy(status, records.frame.frame, Role::Map)) return false;
   if (!status.isOk()) {  // the last experience, and the last pose moved by the motion
@@ -333,14 +335,15 @@ void Chain::publish(FrameRecords& records) {
 /// The poses are read from the map again, because a map that rejects a loop link also moves the
 /// frames that were attached to an experience by it.
 Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
-  for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
+  const std::int64_t last = localised_ ? localised_->firstFrame() - 1 : last_map_.frame;
+  for (std::int64_t frame = 0; frame <= last; ++frame) {
     FramePose pose{frame, Eigen::Isometry3d::Identity()};
     const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
     if (status.isOk()) poses.push_back(pose);
     const bool is_unknown = status.code() == StatusCode::InvalidParameter;  // dropped, for example
     if (!status.isOk() && !(is_unknown && frame < last_map_.frame)) return status;
   }
-  if (poses.size() >= mapped_) return Status::ok();
+  if (localised_ || poses.size() >= mapped_) return Status::ok();
   return Status::failed("poseOf() has no pose for " + std::to_string(mapped_ - poses.size()) +
                         " frames that update() accepted; the trajectories lack them");
 }
@@ -379,6 +382,7 @@ std::vector<MotionRevision> Chain::finishStages() {
   finishing(Role::Place, [&] { return stages_.place.finish(); });
   finishing(Role::Cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
+  if (localised_) return revisions;
   finishing(Role::Map, [&] { return stages_.map.checkLastPose(); });
   finishing(Role::Map, [&] { return stages_.map.finish(revisions); });
   return revisions;

@@ -20,6 +20,7 @@
 #include "config/settings.hpp"
 #include "engine/checked_odometry.hpp"
 #include "engine/failure.hpp"
+#include "engine/localised_map.hpp"
 #include "engine/rectified_source.hpp"
 #include "host/guard.hpp"
 #include "host/stages.hpp"
@@ -244,6 +245,12 @@ class Chain {
   void resume(const ResumePoint& point);
   /// The map of an earlier session is continued; call it before the first frame is admitted.
   void continueMap(MapScale scale) { scale_ = std::move(scale); }
+  /// The robot is found in this map, which stays as it is; likewise. The map's stage is asked only
+  /// for its poses and graph, and no state is saved.
+  void localise(LocalisedMap map) {
+    localised_ = std::move(map);
+    can_save_ = false;
+  }
 
   /// Whether a stage or the listener failed; no later frame is answered.
   bool failed() const;
@@ -322,6 +329,7 @@ class Chain {
   Policies policies_;
   Listener& listener_;
   bool place_needs_motion_;
+  std::optional<LocalisedMap> localised_;
   std::atomic<bool> can_save_;  // false also after a stage has failed to save its state
   RunCounters counters_;
   StageActivity activity_{};

@@ -103,10 +103,26 @@ Opened openApart(const host::Manifest& manifest, Role role, const config::System
   return {{remote->manifest(), nullptr, std::move(schema)}, remote};
 }
 
+/// "(extra `localise`): view_templates, ..."
+std::string localisersOf(const host::Catalogue& catalogue, Role role) {
+  std::set<std::string> ids;
+  for (const host::Manifest& manifest : catalogue.manifests()) {
+    if (manifest.role == role && manifest.hasExtra("localise")) ids.insert(manifest.id);
+  }
+  return fmt::format("(extra `localise`): {}", fmt::join(ids, ", "));
+}
+
 /// Opens the plugin of a stage. Throws Failure or host::Refusal.
 Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
             const config::SystemConfig& config, const SystemOptions& options) {
   const auto manifest = manifestOf(catalogue, stage, config);
+  const bool learns = stage.role == Role::Place || stage.role == Role::Cells;
+  if (learns && !config.general.localise.empty() && !manifest.hasExtra("localise")) {
+    throw host::Refusal{"plugin/cannot-localise",
+                        "plugin '" + stage.plugin + "' cannot use a map without changing it",
+                        "continue the map with --continue, or make it with plugins that can " +
+                            localisersOf(catalogue, stage.role)};
+  }
   if (options.apart || !manifest.program.empty() || stage.isolation != config::Isolation::None) {
     return openApart(manifest, stage.role, config, options);
   }
@@ -243,7 +259,7 @@ InputPaths inputPaths(const config::SystemConfig& config, const config::StageVal
       paths.present.push_back(path);
     }
   };
-  if (!config.general.continue_from.empty()) add(config.general.continue_from, true);
+  if (!config.general.earlier().empty()) add(config.general.earlier(), true);
   if (!config.evaluation.truth.empty()) add(config.evaluation.truth, true);
   for (const config::StageConfig& stage : config.stages) {
     const auto schema = schemas.find(stage.instance);
@@ -313,7 +329,7 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
         instance->configure({checked_.values.find(stage.instance)->second, services->log,
                              services->findings, services->artefacts, cancellation, clock,
                              info_.rig, seedOf(checked_.config.general.seed, stage.instance),
-                             stage.instance}),
+                             stage.instance, !checked_.config.general.localise.empty()}),
         -1);
     for (const Findings::Kind& kind : findings_->takeNewKinds()) {
       log.write(kind.level(), kind.first.stage, kind.text());

@@ -79,7 +79,7 @@ Outcome Run::execute(CheckedSystem system) {
 void Run::prepare(CheckedSystem system) {
   inputs_ = inputPaths(system).present;
   const std::vector<std::string> notes = std::move(system.notes);
-  checkOut(system.config.general.continue_from);
+  checkOut(system.config.general.earlier());
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
   for (const std::string& doubt : assembly_->source().doubts()) {
@@ -110,9 +110,9 @@ void Run::checkOut(const std::string& continued) const {
   require(record::RunDirectory::mayTake(options_.out, options_.replace), FailureKind::Record);
 }
 
-/// Loads the map of the earlier run that `continue` names, if any.
+/// Loads the map of the earlier run that `continue` or `localise` names, if any.
 void Run::continueEarlierRun() {
-  const std::string& directory = config().general.continue_from;
+  const std::string& directory = config().general.earlier();
   if (directory.empty()) return;
   if (record::RunDirectory::isBeingWritten(directory)) {
     refuseToContinue(directory + ": this run is still going; wait for its end, or interrupt it");
@@ -136,6 +136,9 @@ void Run::continueEarlierRun() {
   assembly_->odometry().startAt(first_frame_);
   assembly_->place().resetChecks(-1);
   assembly_->cells().resetChecks(before.experiences);
+  if (!localises()) return;
+  assembly_->place().localise();
+  assembly_->cells().localise();
 }
 
 /// Brings the stages to the state of the last checkpoint of the run that `resume` names. If that
@@ -194,7 +197,7 @@ void Run::recordSessions() {
   if (earlier_) {
     const auto sessions = require(earlier_->sessions(), FailureKind::Record);
     session.id = static_cast<std::int64_t>(sessions.size());
-    require(recorder_->inherit(*earlier_, first_frame_), FailureKind::Record);
+    require(recorder_->inherit(*earlier_, first_frame_, !localises()), FailureKind::Record);
     warnOfOthers(require(earlier_->records<CameraRig>(), FailureKind::Record));
     earlier_.reset();
   }
@@ -222,8 +225,8 @@ void Run::warnOfOthers(const std::vector<CameraRig>& before) {
         key(now), key(before.front())));
   }
   const std::vector<std::string> changed =
-      changedProgramFiles(record::RunDirectory::readRunFile(config().general.continue_from),
-                          run_file_, {Role::Place, Role::Cells, Role::Map});
+      changedProgramFiles(record::RunDirectory::readRunFile(config().general.earlier()), run_file_,
+                          {Role::Place, Role::Cells, Role::Map});
   if (changed.empty()) return;
   warn(
       fmt::format("{} {} other contents than in the earlier session, whose state was loaded; if "
@@ -248,9 +251,9 @@ void Run::openDirectory() {
 void Run::openRecord() {
   const fs::path resolved = directory_->path() / kResolvedConfig;
   run_file_ = provenance(*assembly_, options_.command_line);
-  if (!config().general.continue_from.empty()) {
-    run_file_["continued"] = {{"directory", config().general.continue_from},
-                              {"first_frame", first_frame_}};
+  if (const std::string& earlier = config().general.earlier(); !earlier.empty()) {
+    run_file_[localises() ? "localised" : "continued"] = {{"directory", earlier},
+                                                          {"first_frame", first_frame_}};
   }
   const std::string yaml = config::resolvedYaml(config(), assembly_->system().values);
   require(record::writeAtomically(resolved, yaml), FailureKind::Record);
@@ -263,6 +266,9 @@ void Run::openRecord() {
               FailureKind::Record);
   recordSessions();
   require(recorder_->meta("name", config().general.name), FailureKind::Record);
+  if (localises()) {
+    require(recorder_->meta(record::kLocalisedKey, config().general.localise), FailureKind::Record);
+  }
   const bool has_images = assembly_->sourceInfo().rig.width > 0;
   if (!config().record.replay && !(options_.share_answers && has_images)) return;
   std::vector<ArrayInfo> sensors;
@@ -275,6 +281,11 @@ void Run::drive(Outcome& outcome) {
   RunListener listener(*recorder_, *assembly_, *directory_, log_, clock_);
   Chain chain(assembly_->stages(), assembly_->policies(), listener);
   if (earlier_scale_) chain.continueMap(*earlier_scale_);
+  if (localises()) {
+    MapGraph graph;
+    require(assembly_->map().graph(graph), FailureKind::Continuation);
+    chain.localise(LocalisedMap(std::move(graph), first_frame_));
+  }
   if (resume_) {
     chain.resume(*resume_);
     listener.startAfter(resume_->checkpoint.frame);
@@ -348,13 +359,16 @@ std::optional<Failure> Run::failureOf(const DriveResult& result) {
   return failure;
 }
 
-/// Saves the state for a later run that continues this one. After a failure no state is saved.
+/// Saves the state for a later run that continues this one. After a failure no state is saved, nor
+/// of a run that changes no map.
 /// Stages without StateKeeper are left out; if another one cannot save its state, the run cannot be
 /// continued: a stage that was left out of its rest (`on_failure: skip`) has no state.
 std::optional<Failure> Run::saveState(const DriveResult& result, RunListener& listener) {
   const RunCounters& n = result.counters;
   const bool is_sound = !result.failure && listener.recordStatus().isOk();
-  if (!is_sound || n.frames == 0 || !directory_->stillInPlace().isOk()) return std::nullopt;
+  if (!is_sound || n.frames == 0 || localises() || !directory_->stillInPlace().isOk()) {
+    return std::nullopt;
+  }
   Status stage_failure;
   const Status written = engine::saveState(*assembly_, directory_->path(),
                                            {listener.nextFrame() - 1, n, {}}, stage_failure);

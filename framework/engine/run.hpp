@@ -56,6 +56,7 @@ class Run {
 
  private:
   const config::SystemConfig& config() const { return assembly_->system().config; }
+  bool localises() const { return !config().general.localise.empty(); }
   // prepare() and what it calls throw Failure.
   void prepare(CheckedSystem system);
   void checkOut(const std::string& continued) const;

@@ -320,7 +320,7 @@ ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   if (const auto scale = require(reader->lastScale(last + 1), kKind)) {
     const bool is_earlier = scale->frame < first_frame;
     point.scale = {scale->is_known,
-                   is_earlier ? assembly.system().config.general.continue_from : std::string()};
+                   is_earlier ? assembly.system().config.general.earlier() : std::string()};
   }
   point.motion = repeatOdometry(assembly, motions, frames, last, cancellation);
   return point;

@@ -239,6 +239,10 @@ std::vector<std::string> verdictsOf(const Metrics& metrics) {
   if (metrics.counts.rejected_loop_links > 0) {
     loops += fmt::format("; the map rejected {}", metrics.counts.rejected_loop_links);
   }
+  if (metrics.localisation) {
+    verdicts.push_back(localisationText(*metrics.localisation));
+    return verdicts;
+  }
   verdicts.push_back(loops);
   if (odometry.scores && map.scores) {
     const double before = odometry.scores->ate_m.rmse;
@@ -314,6 +318,7 @@ Json toJson(const Metrics& metrics) {
       {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},
       {"timing", std::move(timing)}};
   if (metrics.body) json["body"] = toJson(*metrics.body);
+  if (metrics.localisation) json["localisation"] = toJson(*metrics.localisation);
   return json;
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/localisation.hpp"
 #include "evaluation/loops.hpp"
 #include "evaluation/recorded_cells.hpp"
 #include "evaluation/score.hpp"
@@ -96,10 +97,11 @@ struct Metrics {
   std::int64_t frames = 0;
   std::int64_t templates = 0;
   MapCounts counts;
-  std::optional<LoopFigures> loops;  ///< none without truth
-  std::optional<bool> returns;       ///< to an earlier place, by the truth; none without truth
-  std::optional<Extrinsic> body;     ///< of the truth, if `evaluation.body: estimate` found it
-  std::string truth_sha256;          ///< of the true poses; empty without truth
+  std::optional<LoopFigures> loops;                 ///< none without truth
+  std::optional<LocalisationFigures> localisation;  ///< of a run that localises in another's map
+  std::optional<bool> returns;    ///< to an earlier place, by the truth; none without truth
+  std::optional<Extrinsic> body;  ///< of the truth, if `evaluation.body: estimate` found it
+  std::string truth_sha256;       ///< of the true poses; empty without truth
   std::map<std::string, StageTiming> timing;
   std::int64_t parts = 0;  ///< connected parts of the map
   std::vector<SessionFigures> sessions;

@@ -115,9 +115,10 @@ struct ContextMessage {
   CameraRig rig;
   std::uint64_t seed = 0;
   std::string instance;
+  bool localise = false;
 
   static ContextMessage of(const Context& context) {
-    return {context.parameters, context.rig, context.seed, context.instance};
+    return {context.parameters, context.rig, context.seed, context.instance, context.localise};
   }
 };
 
@@ -135,7 +136,7 @@ requires std::same_as<std::remove_const_t<T>, Refusal>
 auto parts(T& refusal) { return std::tie(refusal.id, refusal.message, refusal.remedy); }
 template <class T>
 requires std::same_as<std::remove_const_t<T>, ContextMessage>
-auto parts(T& m) { return std::tie(m.parameters, m.rig, m.seed, m.instance); }
+auto parts(T& m) { return std::tie(m.parameters, m.rig, m.seed, m.instance, m.localise); }
 template <class T>
 requires std::same_as<std::remove_const_t<T>, LoadMessage>
 auto parts(T& m) { return std::tie(m.file, m.id, m.program, m.memory_mib, m.threads); }

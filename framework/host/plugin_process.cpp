@@ -277,7 +277,7 @@ class PluginProcess {
     context_ = message;
     return object_.plugin->configure({context_.parameters, log_, findings_, artefacts_, requests_,
                                       services_.clock, context_.rig, context_.seed,
-                                      context_.instance});
+                                      context_.instance, context_.localise});
   }
 
   Status openArtefacts(const std::string& directory) {

@@ -173,6 +173,9 @@ Status PlaceStage::observe(const Frame& frame, const Motion* motion,
     if (status.isOk()) status = checkAnswer(frame, observation);
     if (status.isOk()) status = checkTemplateId(observation, templates_);
     if (status.isOk()) status = checkPlace(observation);
+    if (status.isOk() && localises_ && observation.recognition == Recognition::Novel) {
+      return Status::failed("made a template, although the map must stay as it is");
+    }
     return status;
   });
   if (!answered.isOk()) {
@@ -189,8 +192,9 @@ Status CellsStage::step(const Motion& motion, const PlaceObservation& observatio
     templates_ = std::max(templates_, observation.template_id + 1);
     Status status = cells.step(motion, observation, decision);
     if (status.isOk()) status = checkAnswer(motion, decision);
-    if (status.isOk()) status = checkDecision(decision, experiences_, last_, templates_);
-    return status;
+    if (!status.isOk()) return status;
+    return localises_ ? checkLocalised(decision, experiences_)
+                      : checkDecision(decision, experiences_, last_, templates_);
   });
   last_ = answered.isOk() ? decision.experience : kUnknown;
   if (answered.isOk() && decision.action == Action::CreateExperience) ++experiences_;

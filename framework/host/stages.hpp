@@ -109,9 +109,12 @@ class PlaceStage : public Stage<Place> {
   /// Sets the number of templates: 0 after reset(), -1 (not known) after a saved state was loaded:
   /// then the next novel answer determines it.
   void resetChecks(std::int64_t templates = 0) { templates_ = templates; }
+  /// From now on a novel view is refused (Localiser).
+  void localise() { localises_ = true; }
 
  private:
   std::int64_t templates_ = 0;
+  bool localises_ = false;
 };
 
 class CellsStage : public Stage<Cells> {
@@ -126,12 +129,15 @@ class CellsStage : public Stage<Cells> {
     last_ = experiences == 0 ? -1 : kUnknown;
     templates_ = experiences == 0 ? 0 : INT64_MAX;  // given before; not known
   }
+  /// From now on decisions must be those of Localiser.
+  void localise() { localises_ = true; }
 
  private:
   static constexpr std::int64_t kUnknown = -2;
   std::int64_t experiences_ = 0;
   std::int64_t templates_ = 0;  ///< one more than the largest id that was seen
   std::int64_t last_ = -1;      ///< the experience of the last decision
+  bool localises_ = false;
 };
 
 class MapStage : public Stage<Map> {

@@ -396,6 +396,19 @@ Status checkDecision(const Decision& decision, std::int64_t experiences, std::in
   return decision.has_relative_pose ? checkMeasured(decision.covariance, "covariance") : status;
 }
 
+Status checkLocalised(const Decision& decision, std::int64_t experiences) {
+  const std::int64_t id = decision.experience;
+  if (decision.action == Action::CreateExperience) {
+    return Status::failed("created an experience, although the map must stay as it is");
+  }
+  if (id < -1 || id >= experiences || decision.has_relative_pose != (id >= 0)) {
+    return failed("is at experience {} of {} {} relative pose: give both, or -1 and none", id,
+                  experiences, decision.has_relative_pose ? "with" : "without");
+  }
+  if (Status status = checkHeading(decision.heading); !status.isOk()) return status;
+  return id < 0 ? Status::ok() : checkMeasured(decision.covariance, "covariance");
+}
+
 Status checkUpdate(const MapUpdate& update, std::int64_t last_version) {
   if (update.version < last_version) return Status::failed("the version of the map decreased");
   if (update.experience < -1 || update.experience >= update.experiences) {

@@ -143,6 +143,9 @@ Status checkTemplateId(const PlaceObservation& observation, std::int64_t templat
 /// Checks the covariance of an observation with a relative pose.
 Status checkPlace(const PlaceObservation& observation);
 
+/// Checks a decision of cells that localise (Localiser) in a map with so many experiences.
+Status checkLocalised(const Decision& decision, std::int64_t experiences);
+
 /// `experiences`: number before this decision. `last`: the experience of the decision before; below
 /// -1: not known. `templates`: ids below it were given by place recognition.
 Status checkDecision(const Decision& decision, std::int64_t experiences, std::int64_t last,

@@ -146,7 +146,7 @@ Status Recorder::recordForReplay(std::size_t sensors) {
   });
 }
 
-Status Recorder::inherit(const RunReader& earlier, std::int64_t frames) {
+Status Recorder::inherit(const RunReader& earlier, std::int64_t frames, bool arrays) {
   return write([&] {
     const Database& old = earlier.database();
     const auto insert = [&](const auto& row) { store_.insert(row); };
@@ -159,7 +159,7 @@ Status Recorder::inherit(const RunReader& earlier, std::int64_t frames) {
         [&](const MotionRevision& row) { store_.insertAnnounced(std::nullopt, row); });
     forEachRow<PlaceObservation>(old, before, insert);
     forEachRow<Decision>(old, before, insert);
-    forEachRow<RecordedArray>(old, before + " AND \"source\" = 'cells'", insert);
+    if (arrays) forEachRow<RecordedArray>(old, before + " AND \"source\" = 'cells'", insert);
     forEachRow<MapUpdate>(old, before, insert);
   });
 }

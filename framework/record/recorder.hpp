@@ -57,8 +57,9 @@ class Recorder {
   Status recordForReplay(std::size_t sensors);
 
   /// Must be the first call when this run continues `earlier`. Copies its sessions and the frames
-  /// below `frames`, but not its map: the map of this run already contains that.
-  Status inherit(const RunReader& earlier, std::int64_t frames);
+  /// below `frames`, but not its map: the map of this run already contains that. `arrays`: those of
+  /// the cells as well.
+  Status inherit(const RunReader& earlier, std::int64_t frames, bool arrays = true);
   /// The session that begins now.
   Status session(const RecordedSession& session);
   /// The cameras of the source and the descriptions of the arrays.

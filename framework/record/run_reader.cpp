@@ -180,6 +180,7 @@ const Result<evaluation::Trajectory>& RunReader::map() const {
     const auto known = static_cast<std::int64_t>(experiences.size());
     std::unordered_map<std::int64_t, Eigen::Isometry3d> settled;
     const std::set<std::int64_t> untracked = untrackedFrames(database_);
+    const bool localised = !entryOf(database_, kLocalisedKey).empty();
     forEachRow<FinalPose>(database_, "",
                           [&](const FinalPose& row) { settled[row.frame] = row.T_world_camera; });
     forEachRow<MapUpdate>(database_, "", [&](const MapUpdate& update) {
@@ -189,6 +190,8 @@ const Result<evaluation::Trajectory>& RunReader::map() const {
       } else if (update.experience >= 0 && update.experience < known) {
         const auto& experience = experiences[static_cast<std::size_t>(update.experience)];
         T_world_camera = experience.T_world_experience * update.T_experience_camera;
+      } else if (localised) {
+        return;  // the place is unknown
       }
       poses.push_back(
           {update.frame, update.stamp_ns, T_world_camera, !untracked.contains(update.frame)});
@@ -215,6 +218,10 @@ Result<std::int64_t> RunReader::lastGivenFrame() const {
         "max(\"frame\") FROM \"event\" WHERE \"source\" = 'pipeline' AND \"message\" LIKE "
         "'frame dropped%'), -1))");
   });
+}
+
+Result<std::string> RunReader::localisedIn() const {
+  return answered(name_, [&] { return entryOf(database_, kLocalisedKey); });
 }
 
 Result<std::int64_t> RunReader::newestExperience() const {

@@ -78,6 +78,8 @@ class RunReader {
   /// Whether the tracked motions from frame `first` on have lengths of both kinds.
   Result<bool> mixesScales(std::int64_t first) const;
   Result<std::map<std::string, std::string>> meta() const;
+  /// The run in whose map this one localises; empty for other runs.
+  Result<std::string> localisedIn() const;
   /// Durations by stage, ns.
   Result<std::map<std::string, std::vector<std::int64_t>>> timing() const;
 

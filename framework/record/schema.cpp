@@ -161,6 +161,16 @@ std::vector<SqlView> views() {
        "`weight`, `rejected`",
        R"(SELECT id, "from" AS from_experience, "to" AS to_experience, kind, frame, )" +
            planar("T_from_to") + ", duration, weight, rejected FROM link"},
+      {"localisation",
+       "of a run that localises: `frame`, `status` (found, unknown_place or lost), `experience`, "
+       "`x`, `y`, `heading` in the map, `covariance` of the pose relative to the experience",
+       "SELECT frame, CASE WHEN motion.state = 'lost' THEN 'lost' WHEN map_update.experience < 0 "
+       "THEN 'unknown_place' ELSE 'found' END AS status, map_update.experience, " +
+           planar("T_world_camera") +
+           ", decision.covariance FROM map_update JOIN motion USING (frame) JOIN decision USING "
+           "(frame) WHERE frame >= (SELECT max(first_frame) FROM session) AND EXISTS (SELECT 1 "
+           "FROM run WHERE key = '" +
+           kLocalisedKey + "')"},
       {"array_data", "`frame`, `source`, `name`, `shape`, `data` (`values` of `array`)",
        R"(SELECT frame, source, name, shape, "values" AS data FROM "array")"},
   };

@@ -165,6 +165,29 @@ bool returnsToPlace(const evaluation::Trajectory& truth) {
   return !evaluation::findRevisits(thinned, rule).empty();
 }
 
+/// How the run was found in the map of another; none of a run that has a map of its own. Errors
+/// need the truth of both in one world frame.
+std::optional<evaluation::LocalisationFigures> localisationOf(
+    const record::RunReader& reader, const MapGraph& graph, std::int64_t first,
+    const evaluation::Trajectory& truth, const config::EvaluationSettings& settings) {
+  const std::string map = must(reader.localisedIn());
+  if (map.empty()) return std::nullopt;
+  const bool joint = settings.sessions == config::SessionScope::Joint;
+  const evaluation::Trajectory unknown;
+  evaluation::LocalisationCounter counter(graph.experiences, joint ? truth : unknown);
+  const auto motions = must(reader.records<Motion>());
+  const auto updates = must(reader.records<MapUpdate>());
+  for (std::size_t i = 0; i < std::min(motions.size(), updates.size()); ++i) {
+    if (motions[i].frame >= first) counter.add(motions[i], updates[i]);
+  }
+  evaluation::LocalisationFigures figures = counter.figures();
+  figures.map = map;
+  figures.reason = joint ? "no frame that was found has a true pose, and its place as well"
+                         : "evaluation.sessions is not joint: the truths of both runs must be in "
+                           "one world frame";
+  return figures;
+}
+
 /// Fills the metrics, except those of the cells.
 void measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
              const config::EvaluationSettings& settings, RunData& run) {
@@ -197,6 +220,7 @@ void measure(const record::RunReader& reader, const evaluation::Trajectory& trut
   metrics.frames = totals.frames;
   metrics.templates = totals.templates;
   metrics.counts = evaluation::countsOf(run.graph, totals.loop_decisions);
+  metrics.localisation = localisationOf(reader, run.graph, own, truth, settings);
   metrics.truth_sha256 = digestOf(truth);
   if (!truth.empty()) {
     metrics.returns = returnsToPlace(truth);

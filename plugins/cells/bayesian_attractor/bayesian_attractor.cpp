@@ -31,6 +31,7 @@ Status BayesianAttractor::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
+  localises_ = context.localise;
   Parameters& p = parameters_;
   if (p.period == 0) p.period = 30 * p.experience_spacing;
   if (p.view_sigma_position == 0) p.view_sigma_position = 0.6 * p.experience_spacing;
@@ -55,7 +56,8 @@ AttractorState BayesianAttractor::freshState() const {
                                    .inhibition = p.inhibition / p.experience_spacing,
                                    .threshold = p.threshold,
                                    .view_spacing = p.experience_spacing,
-                                   .recalibrate = p.recalibrate};
+                                   .recalibrate = p.recalibrate,
+                                   .localise = localises_};
   const ExperienceSettings experiences = {.spacing = p.experience_spacing,
                                           .novel_spacing = kNovelSpacing * p.experience_spacing,
                                           .loop_minimum_travel = p.loop_minimum_travel,
@@ -80,14 +82,19 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   integrate(motion);
   const bool known = seen && state_->links.contains(observation.template_id);
   const auto [calibrated, link] = known ? perceive(observation, motion.frame) : Perception{};
+  decision.heading = state_->network.state().integrator.centre.heading;
+  decision.hypotheses = state_->network.changes();
+  for (PlaceHypothesis& changed : decision.hypotheses) {
+    if (changed.id == calibrated.bump) changed.experience = link->experience;
+  }
+  if (localises_) {
+    localise(observation, {calibrated, link}, decision);
+    return Status::ok();
+  }
   if (calibrated.joined_part >= 0 || !calibrated.traced.empty()) {
     for (auto& [id, storeys] : state_->links) {
       for (ViewLink& other : storeys) state_->network.follow(calibrated, other.learned);
     }
-  }
-  decision.hypotheses = state_->network.changes();
-  for (PlaceHypothesis& changed : decision.hypotheses) {
-    if (changed.id == calibrated.bump) changed.experience = link->experience;
   }
   if (calibrated.accepted) {
     decision.earlier = state_->waiting.of(calibrated.bump, state_->network.state().travel);
@@ -100,7 +107,6 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   }
   if (seen && !known) learn(observation.template_id, {});
   decision.experience = state_->log.current();
-  decision.heading = state_->network.state().integrator.centre.heading;
   if (decision.action != Action::CloseLoop) {
     decision.relative_yaw = toPlanar(state_->log.fromCurrent()).theta;
   }
@@ -112,6 +118,7 @@ void BayesianAttractor::integrate(const Motion& motion) {
   if (initialising && !state_->initialising) {
     state_->network.startPart();
     state_->log.startPart();
+    state_->known.reset();
   }
   state_->initialising = initialising;
   const Eigen::Vector3d up_before = state_->upright.up();
@@ -120,6 +127,7 @@ void BayesianAttractor::integrate(const Motion& motion) {
   state_->network.integrate(moved.plane, moved.covariance, moved.climb, motion.dt);
   state_->waiting.keep(state_->network.state().calibration);
   state_->log.advance(motion.T_previous_current);
+  if (state_->known) followKnownPlace(motion);
 }
 
 LevelStep BayesianAttractor::levelled(const Eigen::Isometry3d& T_from_to,
@@ -190,9 +198,10 @@ BayesianAttractor::Perception BayesianAttractor::perceive(const PlaceObservation
   const SeenPose seen = seenPose(view);
   const ViewLink* link = nearestStorey(view.template_id, offsetOf(seen).climb);
   if (link == nullptr) {
-    learn(view.template_id, seen);
+    if (!localises_) learn(view.template_id, seen);
     return {};
   }
+  if (localises_) return {injectView(seen, *link, frame), link};
   const NetworkState& network = state_->network.state();
   const bool recent = link->learned.part == network.part &&
                       network.travel - link->travel < parameters_.loop_minimum_travel;
@@ -204,8 +213,10 @@ Recalibration BayesianAttractor::injectView(const SeenPose& seen, const ViewLink
   const LevelStep offset = offsetOf(seen);
   const Recalibration result =
       state_->network.inject(link.learned, offset.plane, offset.covariance, offset.climb);
-  if (result.bump < 0 || result.accepted || !state_->log.allowsLoopTo(link.experience))
+  if (localises_ || result.bump < 0 || result.accepted ||
+      !state_->log.allowsLoopTo(link.experience)) {
     return result;
+  }
   state_->waiting.add(
       {result.bump,
        state_->network.state().travel,
@@ -224,6 +235,48 @@ void BayesianAttractor::closeLoop(const PlaceObservation& view, const ViewLink& 
   decision.relative_yaw = toPlanar(decision.T_experience_current).theta;
   decision.confidence = share;
   state_->log.closeLoopTo(link.experience, decision.T_experience_current);
+}
+
+/// Says where in the map the robot is, if it knows.
+void BayesianAttractor::localise(const PlaceObservation& view, const Perception& perceived,
+                                 Decision& decision) {
+  if (perceived.calibrated.accepted) {
+    closeLoop(view, *perceived.link, perceived.calibrated.share, decision);
+    state_->known = {state_->network.state().travel, seenPose(view).covariance};
+  }
+  decision.has_relative_pose = knowsPlace();
+  if (!decision.has_relative_pose) {
+    decision.action = Action::Stay;
+    return;
+  }
+  decision.experience = state_->log.current();
+  decision.T_experience_current = state_->log.fromCurrent();
+  decision.covariance = state_->known->covariance;
+  decision.relative_yaw = toPlanar(decision.T_experience_current).theta;
+}
+
+/// Path integration of the covariance.
+void BayesianAttractor::followKnownPlace(const Motion& motion) {
+  const Eigen::Isometry3d& step = motion.T_previous_current;
+  const double length = step.translation().norm();
+  const double drift = parameters_.drift_position * parameters_.drift_position * length;
+  const double turn = parameters_.drift_heading * parameters_.drift_heading * length;
+  const Matrix6d A = adjointSe3(step.inverse());
+  Matrix6d& covariance = state_->known->covariance;
+  covariance = A * covariance * A.transpose() + motion.covariance;
+  covariance.diagonal() += (Vector6d() << drift, drift / 4, drift, turn, turn, turn).finished();
+}
+
+/// The place is known for some way after a view has said where the robot is, unless another view
+/// has said otherwise since, or path integration has become too vague.
+bool BayesianAttractor::knowsPlace() const {
+  constexpr double kWay = 20;     // experience spacings; chosen, not tuned
+  constexpr double kVague = 1.5;  // experience spacings, standard deviation; chosen, not tuned
+  if (!state_->known || !state_->network.state().calibration.empty()) return false;
+  const double spacing = parameters_.experience_spacing;
+  const double sigma = std::sqrt(state_->known->covariance.topLeftCorner<3, 3>().trace());
+  return state_->network.state().travel - state_->known->travel < kWay * spacing &&
+         sigma < kVague * spacing;
 }
 
 /// Links the template to the present pattern. A new view is seen where its template is.
@@ -246,6 +299,7 @@ Status BayesianAttractor::load(std::istream& stream) {
   AttractorState loaded = freshState();
   const Status status = loadState(stream, loaded);
   state_.emplace(status.isOk() ? std::move(loaded) : freshState());
+  if (localises_) state_->initialising = false;  // the first motion begins a part of the path
   return status;
 }
 

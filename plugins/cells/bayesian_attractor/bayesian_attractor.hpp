@@ -15,7 +15,7 @@ namespace tolman::bayesian_attractor {
 class BayesianAttractor final : public Cells,
                                 public ArraySource,
                                 public ArrayDescriptions,
-                                public StateKeeper {
+                                public Localiser {
  public:
   using Parameters = AttractorParameters;
 
@@ -54,8 +54,12 @@ class BayesianAttractor final : public Cells,
   void closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
                  Decision& decision);
   void learn(std::int64_t template_id, const SeenPose& seen);
+  void localise(const PlaceObservation& view, const Perception& perceived, Decision& decision);
+  void followKnownPlace(const Motion& motion);
+  bool knowsPlace() const;
 
   Parameters parameters_;
+  bool localises_ = false;
   std::optional<AttractorState> state_;  ///< empty before configure()
 };
 

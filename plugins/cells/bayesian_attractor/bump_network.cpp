@@ -72,7 +72,7 @@ void BumpNetwork::integrate(const PlanarPose& reported_step, const Eigen::Matrix
   Eigen::Matrix3d noise = reported;
   noise.diagonal() += Eigen::Vector3d(along, along, turn);
   noise *= factor;
-  if (settings_.recalibrate) {
+  if (settings_.recalibrate && !settings_.localise) {
     state_.history.advance(reported_step, step, noise, errors.effect, settings_.view_spacing);
   }
   const double drift = settings_.drift_height * settings_.drift_height * length;
@@ -83,9 +83,12 @@ void BumpNetwork::integrate(const PlanarPose& reported_step, const Eigen::Matrix
     c.energy -= settings_.inhibition * length;
   }
   state_.travel += length;
-  const Eigen::Vector2d here = code_.difference(code_.origin(), state_.integrator.centre).head<2>();
-  state_.explored_min = state_.explored_min.cwiseMin(here);
-  state_.explored_max = state_.explored_max.cwiseMax(here);
+  if (!settings_.localise) {
+    const Eigen::Vector2d here =
+        code_.difference(code_.origin(), state_.integrator.centre).head<2>();
+    state_.explored_min = state_.explored_min.cwiseMin(here);
+    state_.explored_max = state_.explored_max.cwiseMax(here);
+  }
   for (const CalibrationBump& c : state_.calibration) {
     if (c.energy < kMinEnergy) note(c, Fate::Faded);
   }
@@ -111,7 +114,7 @@ CalibrationBump* BumpNetwork::insertBump(const CalibrationBump& bump) {
 }
 
 void BumpNetwork::startPart() {
-  state_.history.startPart();
+  if (!settings_.localise) state_.history.startPart();
   state_.part = state_.parts++;
   ++state_.stretch;
   state_.integrator.covariance.setZero();
@@ -187,7 +190,7 @@ TracedLoop BumpNetwork::judge(const ErrorEstimate& estimate, const Bump& seen,
                               const LearnedPattern& learned, const PathErrors& errors,
                               const Eigen::Matrix3d& noise) const {
   const Apart away = apart(state_.integrator, seen, errors, estimate);
-  if (away.covariance(2, 2) > kOpenTurn * kOpenTurn) {
+  if (away.covariance(2, 2) > kOpenTurn * kOpenTurn && !settings_.localise) {
     TracedLoop loop = traceLoop(
         state_.history, estimate,
         {learned.piece, fromPiece(learned.piece, seen.centre), seen.covariance}, settings_.tail);
@@ -314,7 +317,8 @@ double BumpNetwork::logRatioOfNewBump(const LearnedPattern& learned, const Bump&
     density +=
         std::exp(estimate.log_weight) * judge(estimate, seen, learned, errors, noise).density;
   }
-  const double ratio = std::log(std::max(density, 1e-300)) - logDensityOfLookAlike();
+  double ratio = std::log(std::max(density, 1e-300)) - logDensityOfLookAlike();
+  if (settings_.localise) ratio = std::max(ratio, std::log(settings_.prior));
   return ratio - 0.5 * squaredClimb(code_.climb(here.centre, seen.centre),
                                     heightUncertainty(learned) + seen.height_variance);
 }
@@ -380,7 +384,8 @@ Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPos
 void BumpNetwork::arriveAt(const Bump& bump, LearnedPattern learned, Recalibration& calibrated) {
   Bump here = bump;
   const bool joins = calibrated.joined_part >= 0;
-  if (settings_.recalibrate && !joins) {
+  const bool learns = settings_.recalibrate && !settings_.localise;
+  if (learns && !joins) {
     const PlanarPose offset = code_.between(learned.pattern, bump.centre);
     const double heading = bump.centre.heading;
     recalibrate(bump, learned);
@@ -395,7 +400,7 @@ void BumpNetwork::arriveAt(const Bump& bump, LearnedPattern learned, Recalibrati
       here.covariance = turned(here.covariance, here.centre.heading - heading);
     }
   }
-  if (settings_.recalibrate) {
+  if (learns) {
     const PlanarPose offset = fromPiece(learned.piece, here.centre);
     const Eigen::Matrix3d covariance =
         turned(here.covariance, -state_.history.beginOf(learned.piece).theta);

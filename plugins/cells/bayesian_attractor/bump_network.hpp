@@ -44,6 +44,9 @@ struct NetworkSettings {
   double threshold = 0.98;   ///< share (posterior probability) above which a bump is accepted
   double view_spacing = 5;   ///< m of travel after which the next view counts in full
   bool recalibrate = true;   ///< learn the errors of path integration
+  /// The robot is in a map that stays as it is: nothing is learned of the path, and the robot may
+  /// have been carried elsewhere at any time, with the probability `prior`.
+  bool localise = false;
 };
 
 /// What a view was linked to when it was learned. A stretch is the piece of the path between two

@@ -5,6 +5,7 @@
 #include <experience_log.hpp>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "bump_network.hpp"
@@ -23,6 +24,12 @@ struct ViewLink {
   Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
 };
 
+/// While the robot localises itself: where it is, since a view last said so.
+struct KnownPlace {
+  double travel = 0;                       ///< m driven until that view
+  Matrix6d covariance = Matrix6d::Zero();  ///< of the present pose, relative to the experience
+};
+
 struct AttractorState {
   BumpNetwork network;
   ExperienceLog log;
@@ -30,7 +37,8 @@ struct AttractorState {
   /// By template id: one link for each storey, in the order of learning.
   std::map<std::int64_t, std::vector<ViewLink>> links = {};
   Upright upright = {};
-  bool initialising = true;  ///< the last motion was in state Initialising
+  bool initialising = true;              ///< the last motion was in state Initialising
+  std::optional<KnownPlace> known = {};  ///< only while the robot localises itself; not saved
 };
 
 // The state of the cells, written to and read from a stream.

@@ -38,7 +38,12 @@ Status PlaceReplay::configure(const Context& context) {
   parameters_ = bound.value();
   seed_ = context.seed;
   log_ = &context.log;
+  localises_ = context.localise;
   if (!parameters_.record.empty()) {
+    if (localises_) {
+      return Status::invalidParameter(
+          "recorded answers name the templates of their own run; leave out record to localise");
+    }
     if (parameters_.kept < 1 || parameters_.invented > 0) {
       return Status::invalidParameter(
           "kept and invented need the candidates of the source; leave them out with record");
@@ -180,6 +185,7 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
     pending_ = frame.source_index;
     return Status::ok();
   }
+  if (localises_) return Status::ok();
   warnOfLost(frame);
   if (look) {
     pending_.reset();

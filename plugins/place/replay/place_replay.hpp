@@ -72,7 +72,7 @@ struct PlaceReplayParameters {
 /// (`place.looked`). A compared frame without candidate makes a template. After one with a
 /// candidate the next frame makes its template, because a frame has only one observation; so later
 /// frames can match it as well.
-class PlaceReplay final : public Place, public StateKeeper {
+class PlaceReplay final : public Place, public Localiser {
  public:
   using Parameters = PlaceReplayParameters;
 
@@ -110,6 +110,7 @@ class PlaceReplay final : public Place, public StateKeeper {
   Status read(StateReader& reader);
 
   Parameters parameters_;
+  bool localises_ = false;
   std::uint64_t seed_ = 0;
   Logger* log_ = nullptr;
   recorded_answers::RecordedAnswers reader_;  ///< of `record`

@@ -53,6 +53,7 @@ Status ViewSequences::configure(const Context& context) {
   }
   parameters_ = std::move(bound).value();
   rig_ = context.rig;
+  localises_ = context.localise;
   if (Status status = reset(); !status.isOk()) return status;
   if (parameters_.landmarks > 0 && !verifier_->canMeasure()) {
     context.log.warning(
@@ -146,7 +147,7 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   } else if (probability >= parameters_.probability) {
     if (since_measured_ > kSilentSteps)
       recognise({found.front().view, {}}, query, image_width, observation);
-  } else if (!recogniseBackwards(observation)) {
+  } else if (!recogniseBackwards(observation) && !localises_) {
     return store(step, observation);
   }
   return Status::ok();

@@ -24,7 +24,7 @@ namespace tolman::view_sequences {
 class ViewSequences final : public Place,
                             public ArraySource,
                             public ArrayDescriptions,
-                            public StateKeeper {
+                            public Localiser {
  public:
   using Parameters = view_sequences::Parameters;
 
@@ -69,6 +69,7 @@ class ViewSequences final : public Place,
   std::vector<double> storedParameters() const;
 
   Parameters parameters_;
+  bool localises_ = false;
   CameraRig rig_;
   std::unique_ptr<PathSteps> steps_;
   std::unique_ptr<PlaceSearch> search_;

@@ -50,6 +50,7 @@ Status ViewTemplates::configure(const Context& context) {
   parameters_ = std::move(bound).value();
   if (Status status = check(parameters_); !status.isOk()) return status;
   rig_ = context.rig;
+  localises_ = context.localise;
   if (Status status = reset(); !status.isOk()) return status;
   if (landmarks_ && !landmarks_->hasStereo()) {
     context.log.warning(
@@ -84,7 +85,7 @@ Status ViewTemplates::observe(const Frame& frame, const Motion* /*motion*/,
   if (Status status = maker_->make(frame.left, view_); !status.isOk()) return status;
   if (landmarks_) landmarks_->beginFrame();
 
-  if (!recognise(frame, observation)) {
+  if (!recognise(frame, observation) && !localises_) {
     observation.recognition = Recognition::Novel;
     observation.template_id = bank_->add(view_);
     if (landmarks_) landmarks_->add(frame);

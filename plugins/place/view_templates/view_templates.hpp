@@ -18,7 +18,7 @@ namespace tolman::view_templates {
 class ViewTemplates final : public Place,
                             public ArraySource,
                             public ArrayDescriptions,
-                            public StateKeeper {
+                            public Localiser {
  public:
   /// The defaults of grey cells are those of the program Hybrid-NeuroSLAM for KITTI.
   struct Parameters {
@@ -105,6 +105,7 @@ class ViewTemplates final : public Place,
   std::vector<double> templateParameters() const;
 
   Parameters parameters_;
+  bool localises_ = false;
   CameraRig rig_;
   std::unique_ptr<ViewMaker> maker_;
   std::unique_ptr<Matcher> matcher_;

@@ -159,9 +159,10 @@ struct Context {
   ArtefactWriter& artefacts;
   const Cancellation& cancellation;
   const Clock& clock;
-  CameraRig rig;         ///< of the source; empty for the source itself
-  std::uint64_t seed;    ///< for RandomStream; the same after reset()
-  std::string instance;  ///< the name of this stage in the configuration, e.g. "odometry"
+  CameraRig rig;          ///< of the source; empty for the source itself
+  std::uint64_t seed;     ///< for RandomStream; the same after reset()
+  std::string instance;   ///< the name of this stage in the configuration, e.g. "odometry"
+  bool localise = false;  ///< see Localiser
 };
 
 }  // namespace tolman

@@ -71,4 +71,11 @@ class StateKeeper {
   virtual Status load(std::istream& stream) = 0;
 };
 
+/// Place recognition or cells that can use a saved map without changing it (`tolman run
+/// --localise`). Where Context::localise is true, load() comes before the first frame, and from
+/// then on nothing is learned: place recognition never answers Novel, cells answer as Decision
+/// says, and memory does not grow with time. A map needs no such extra: it is loaded and not
+/// updated.
+class Localiser : public StateKeeper {};
+
 }  // namespace tolman

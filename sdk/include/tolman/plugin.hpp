@@ -157,7 +157,8 @@ consteval std::array<char, 1024> makeManifest(std::string_view id, std::string_v
                             {"descriptions", std::derived_from<C, ArrayDescriptions>},
                             {"page", std::derived_from<C, PageServer>},
                             {"raw_rig", std::derived_from<C, RawRigSource>},
-                            {"live", std::derived_from<C, LiveSource>}});
+                            {"live", std::derived_from<C, LiveSource>},
+                            {"localise", std::derived_from<C, Localiser>}});
   manifest.member("summary", summary);
   manifest.append("}");
   return manifest.text;

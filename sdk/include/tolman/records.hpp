@@ -209,6 +209,10 @@ struct EarlierLoop {
 /// - Stay: `experience` is the one of the last decision; the relative fields are not read.
 /// relative_yaw and T_experience_current refer to the experience: compose the observation's pose
 /// relative to the template with the pose of the template relative to the experience.
+///
+/// Of a Localiser: at each frame whose place is known has_relative_pose is set, with `experience`,
+/// T_experience_current and `covariance`: CloseLoop where a view has just said so, else Stay. Where
+/// it is not known: Stay with experience -1.
 struct Decision {
   static constexpr const char* kRecord = "decision";
   std::int64_t frame = -1;
