@@ -196,7 +196,8 @@ SavedSession loadState(Assembly& assembly, const fs::path& directory) {
   if (!finished && !fs::exists(checkpointFile(directory), ignored)) {
     refuseToContinue(
         directory.string() +
-        ": this run saved no map that could be continued (it failed, was killed before its first "
+        ": this run saved no map that could be continued (it failed, localised in that of another "
+        "run, was killed before its first "
         "checkpoint, is of an older version, or its plugins cannot save their state; see its "
         "log.txt); run it again to its end or to an interrupt");
   }

@@ -181,6 +181,11 @@ TEST_CASE("incomplete saved state is found") {
   });
 }
 
+TEST_CASE("a plugin that adds to a map that must stay as it is is found") {
+  expectAllFound({{"role_faults", "learns", "localise",
+                   "made a template, although the map must stay as it is"}});
+}
+
 TEST_CASE("side effects on the process are found") {
   expectAllFound({
       {"process_faults", "write_to_stdout", "globals", "wrote to stdout or stderr: 'frame 3 is"},

@@ -270,7 +270,7 @@ void BayesianAttractor::followKnownPlace(const Motion& motion) {
 /// The place is known for some way after a view has said where the robot is, unless another view
 /// has said otherwise since, or path integration has become too vague.
 bool BayesianAttractor::knowsPlace() const {
-  constexpr double kWay = 20;     // experience spacings; chosen, not tuned
+  constexpr double kWay = 6;      // experience spacings; chosen on KITTI 05's jumps
   constexpr double kVague = 1.5;  // experience spacings, standard deviation; chosen, not tuned
   if (!state_->known || !state_->network.state().calibration.empty()) return false;
   const double spacing = parameters_.experience_spacing;

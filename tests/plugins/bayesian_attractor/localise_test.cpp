@@ -100,7 +100,7 @@ TEST_CASE("without views the place becomes unknown again") {
   REQUIRE(robot.search() >= 0);
   int frames = 0;
   while (step(robot.cells, motionOf(kStep, robot.frame++), nothing()).has_relative_pose) ++frames;
-  CHECK(frames == 24);  // 100 m
+  CHECK(frames == 7);  // 30 m
 }
 
 TEST_CASE("memory does not grow while the robot localises itself") {
