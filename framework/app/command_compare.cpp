@@ -7,7 +7,7 @@
 #include "config/text.hpp"
 #include "experiment/figures.hpp"
 #include "record/atomic_file.hpp"
-#include "record/data_digest.hpp"
+#include "record/digest.hpp"
 #include "report/svg.hpp"
 
 namespace tolman::app {

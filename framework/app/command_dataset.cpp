@@ -8,8 +8,8 @@
 #include "config/values.hpp"
 #include "engine/camera_check.hpp"
 #include "engine/checked_system.hpp"
-#include "engine/findings.hpp"
 #include "engine/rectified_source.hpp"
+#include "engine/services.hpp"
 #include "host/instance.hpp"
 
 namespace tolman::app {
@@ -65,6 +65,7 @@ Status readAll(engine::RectifiedSource& source, std::int64_t most, FindingCollec
   constexpr std::int64_t kOfEndless = 10;
   if (most == 0) most = source.isEndless() ? kOfEndless : INT64_MAX;
   engine::FrameCheck images;
+  engine::Alternation alternation;
   std::int64_t frames = 0;
   std::int64_t defects = 0;
   for (; frames < most; ++frames) {
@@ -72,13 +73,10 @@ Status readAll(engine::RectifiedSource& source, std::int64_t most, FindingCollec
     status = source.next(frame);
     if (!status.isOk()) break;
     if (!frame.defect.empty()) ++defects;
-    if (auto finding = source.alternation()) findings.add(*std::move(finding));
+    if (auto finding = alternation.add(frame.left)) findings.add(*std::move(finding));
     if (const auto fault = images.check(frame)) {
       findings.add({Severity::Warning, "images", *fault, "", Finding::Kind::Contradiction});
     }
-  }
-  if (const std::string rows = images.rowsText(); !rows.empty()) {
-    findings.add({Severity::Note, "images", rows});
   }
   if (defects > 0) {
     findings.add({Severity::Warning, "",

@@ -13,9 +13,9 @@
 #include "app/parameter_text.hpp"
 #include "conformance/kit.hpp"
 #include "engine/checked_system.hpp"
+#include "host/child_process.hpp"
 #include "host/library.hpp"
 #include "host/remote_plugin.hpp"
-#include "host/scratch_folder.hpp"
 
 namespace tolman::app {
 namespace {

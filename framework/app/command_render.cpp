@@ -12,8 +12,8 @@
 #include "app/kitti_folder.hpp"
 #include "app/options.hpp"
 #include "app/program.hpp"
+#include "engine/chain.hpp"
 #include "engine/checked_system.hpp"
-#include "engine/drive.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {
@@ -25,157 +25,122 @@ struct RenderCommand {
   bool depth = false;
 };
 
-struct RenderOutcome {
-  Status source;  ///< Ok, or what ended the rendering early
-  bool interrupted = false;
-  std::int64_t written = 0;
-  std::int64_t left_out = 0;  ///< frames without a sound image; they get no number in the folder
-  std::vector<evaluation::Revisit> revisits;
-};
-
-/// Writes all frames, then the text files. After an interruption or a failure of the source the
-/// text files are written, too, so that the images written so far are a valid data set. Throws
-/// engine::Failure for a file that cannot be written.
+/// Writes all frames, then the text files: also after an interruption or a failure of the source,
+/// so that the images written so far are a data set. Throws engine::Failure for a file that cannot
+/// be written.
 class Rendering {
  public:
   /// `depth`: name of the sensor array to write as depth maps; empty for none.
-  Rendering(engine::Assembly& assembly, const KittiFolder& folder, std::int64_t frames,
-            std::string depth, Logger& log, ProgressLine& progress)
+  Rendering(engine::Assembly& assembly, const KittiFolder& folder, std::string depth, Logger& log,
+            ProgressLine& progress)
       : source_(assembly.source()),
         info_(assembly.sourceInfo()),
         folder_(folder),
-        frames_(frames),
         depth_(std::move(depth)),
         log_(log),
         progress_(progress) {}
 
-  RenderOutcome run(const Cancellation& cancellation) {
+  /// Of `most` frames, -1 for all. Why the source ended early, or Ok.
+  Status run(std::int64_t most, const Cancellation& cancellation) {
     constexpr int kInFlight = 4;  // frames: more only cost memory
     tbb::task_group writers;
-    for (int i = 1; const std::shared_ptr<const Frame> frame = next(cancellation); ++i) {
-      writers.run([this, frame, index = outcome_.written - 1] { write(index, *frame); });
-      if (i % kInFlight == 0) writers.wait();
+    Status status;
+    for (std::int64_t taken = 0; taken != most && !cancellation.requested(); ++taken) {
+      const auto frame = std::make_shared<Frame>();
+      status = source_.next(*frame);
+      if (status.isOk() && isWhole(*frame)) status = requireDepth(*frame, depth_);
+      if (!status.isOk()) break;
+      progress_.step();
+      if (!isWhole(*frame)) {
+        leaveOut(*frame);
+        continue;
+      }
+      const std::int64_t index = written();
+      stamps_ns_.push_back(frame->stamp_ns);
+      if (frame->has_truth) {
+        truth_.push_back({index, frame->stamp_ns, frame->T_world_camera_truth});
+      }
+      writers.run([this, frame, index] { write(index, *frame); });
+      if (index % kInFlight == kInFlight - 1) writers.wait();
     }
     writers.wait();
-    outcome_.interrupted = cancellation.requested();
-    if (outcome_.interrupted && outcome_.source.code() == StatusCode::Cancelled) {
-      outcome_.source = Status::ok();
+    if (written() > 0) writeTexts();
+    const bool is_end = status.code() == StatusCode::EndOfStream ||
+                        (status.code() == StatusCode::Cancelled && cancellation.requested());
+    return is_end ? Status::ok() : status;
+  }
+
+  std::int64_t written() const { return std::ssize(stamps_ns_); }
+
+  void print(const std::string& out, double seconds, bool interrupted,
+             const Invocation& invocation) const {
+    const auto same =
+        std::ranges::count(revisits_, evaluation::Heading::Same, &evaluation::Revisit::heading);
+    const auto opposite = std::ssize(revisits_) - same;
+    if (invocation.json) {
+      std::cout << jsonText({{"folder", out},
+                             {"frames", written()},
+                             {"left_out", left_out_},
+                             {"calibrated", info_.rig.calibrated},
+                             {"revisits_same", same},
+                             {"revisits_opposite", opposite},
+                             {"interrupted", interrupted},
+                             {"seconds", seconds}});
+    } else if (!invocation.quiet) {
+      std::cout << row("folder", out)
+                << row("frames", fmt::format("{} written, {} left out", written(), left_out_))
+                << row("revisits",
+                       fmt::format("{} frames in the same direction, {} in the opposite one", same,
+                                   opposite))
+                << row("time", durationText(seconds));
+      if (info_.rig.calibrated) return;
+      std::cout << row("calib.txt", "none: read it by {plugin: images, path: " + out +
+                                        ", left: image_0, stamps: times.txt}");
     }
-    if (outcome_.written > 0) writeTexts();
-    return outcome_;
   }
 
  private:
-  /// The next frame that can be written; null at the end, after a failure, or when cancelled.
-  std::shared_ptr<const Frame> next(const Cancellation& cancellation) {
-    while (!cancellation.requested() && taken_ != frames_) {
-      const auto next = std::make_shared<Frame>();
-      Frame& frame = *next;
-      Status status = source_.next(frame);
-      if (status.code() == StatusCode::EndOfStream) return nullptr;
-      ++taken_;
-      const bool has_pair = !info_.rig.isStereo() || !frame.right.empty();
-      const bool is_whole = frame.defect.empty() && !frame.left.empty() && has_pair;
-      if (status.isOk() && is_whole) status = requireDepth(frame, depth_);
-      if (!status.isOk()) {
-        outcome_.source = status;
-        return nullptr;
-      }
-      if (!is_whole) {
-        leaveOut(frame);
-        continue;
-      }
-      const std::int64_t index = outcome_.written++;
-      drive_.stamps_ns.push_back(frame.stamp_ns);
-      if (frame.has_truth) {
-        drive_.truth.push_back({index, frame.stamp_ns, frame.T_world_camera_truth});
-      }
-      return next;
-    }
-    return nullptr;
+  bool isWhole(const Frame& frame) const {
+    const bool has_pair = !info_.rig.isStereo() || !frame.right.empty();
+    return frame.defect.empty() && !frame.left.empty() && has_pair;
   }
 
   void leaveOut(const Frame& frame) {
-    const std::string reason = frame.defect.empty() ? "an image is missing" : frame.defect;
-    if (outcome_.left_out++ == 0) {
-      log_.warning(
-          fmt::format("frame {} is left out, the folder cannot have a gap: {}; the "
-                      "summary counts such frames",
-                      frame.frame, reason));
-    }
-    progress_.step();
+    if (left_out_++ > 0) return;
+    log_.warning(
+        fmt::format("frame {} is left out, the folder cannot have a gap: {}; the summary counts "
+                    "such frames",
+                    frame.frame, frame.defect.empty() ? "an image is missing" : frame.defect));
   }
 
-  void write(std::int64_t index, const Frame& frame) {
+  void write(std::int64_t index, const Frame& frame) const {
     const Status status = folder_.writeFrame(index, frame, depth_);
     const bool is_of_source = status.code() == StatusCode::InvalidInput;
     engine::require(status,
                     is_of_source ? engine::FailureKind::Dataset : engine::FailureKind::Record);
-    progress_.step();
   }
 
   void writeTexts() {
-    if (drive_.hasTruth()) {
-      outcome_.revisits = evaluation::findRevisits(drive_.truth);
-    } else if (info_.has_truth) {
+    if (info_.has_truth && std::ssize(truth_) < written()) {
       log_.warning("some frames have no true pose: poses.txt and loops.txt are not written");
+      truth_.clear();
     }
-    engine::require(folder_.writeTexts(info_.rig, drive_, outcome_.revisits),
+    revisits_ = evaluation::findRevisits(truth_);
+    engine::require(folder_.writeTexts(info_.rig, stamps_ns_, truth_, revisits_),
                     engine::FailureKind::Record);
   }
 
   engine::RectifiedSource& source_;
   const SourceInfo& info_;
   const KittiFolder& folder_;
-  std::int64_t frames_;
   std::string depth_;
   Logger& log_;
   ProgressLine& progress_;
-  DriveLog drive_;
-  RenderOutcome outcome_;
-  std::int64_t taken_ = 0;
+  std::vector<std::int64_t> stamps_ns_;
+  evaluation::Trajectory truth_;
+  std::vector<evaluation::Revisit> revisits_;
+  std::int64_t left_out_ = 0;  ///< frames without a sound image; they get no number in the folder
 };
-
-/// Whether the source reads from `out`. Such a folder must not be replaced.
-bool readsFrom(const engine::CheckedSystem& system, const std::filesystem::path& out) {
-  const ParameterValues& values = system.values.at(system.config.stages.front().instance);
-  return std::ranges::any_of(system.plugins.front().schema, [&](const ParameterInfo& info) {
-    if (info.type != ParameterType::Path) return false;
-    const std::string text = std::get<std::string>(values.at(info.name));
-    return !text.empty() && (record::isInside(text, out) || record::isInside(out, text));
-  });
-}
-
-void print(const RenderOutcome& outcome, const std::string& out, bool calibrated, double seconds,
-           const Invocation& invocation) {
-  const auto& revisits = outcome.revisits;
-  const auto same =
-      std::ranges::count(revisits, evaluation::Heading::Same, &evaluation::Revisit::heading);
-  const auto opposite = std::ssize(revisits) - same;
-  if (invocation.json) {
-    std::cout << jsonText({{"folder", out},
-                           {"frames", outcome.written},
-                           {"left_out", outcome.left_out},
-                           {"calibrated", calibrated},
-                           {"revisits_same", same},
-                           {"revisits_opposite", opposite},
-                           {"interrupted", outcome.interrupted},
-                           {"seconds", seconds}});
-    return;
-  }
-  if (invocation.quiet) return;
-  const double rate = seconds > 0 ? static_cast<double>(outcome.written) / seconds : 0;
-  std::cout << row("folder", out)
-            << row("frames",
-                   fmt::format("{} written, {} left out", outcome.written, outcome.left_out))
-            << row("revisits",
-                   fmt::format("{} frames in the same direction, {} in the opposite one", same,
-                               opposite))
-            << row("time", fmt::format("{}, {:.1f} frames/s", durationText(seconds), rate));
-  if (calibrated) return;
-  std::cout << row("calib.txt", "none: read it by {plugin: images, path: " + out +
-                                    ", left: image_0, stamps: times.txt}");
-}
 
 /// The array of depth maps, which --depth has asked for.
 std::string depthOf(engine::Assembly& assembly) {
@@ -192,14 +157,14 @@ ExitCode execute(const RenderCommand& command, engine::SystemOptions system,
   const engine::Interrupts interrupts;  // before anything that starts threads
   if (command.depth) system.overrides.emplace_back("source.depth=true");
   auto checked = engine::checkSystem(system, engine::Scope::Source);
-  if (readsFrom(checked, out)) {
+  for (const std::string& data : engine::inputPaths(checked).present) {
+    if (!record::isInside(data, out) && !record::isInside(out, data)) continue;
     fail(ExitCode::Record, out + ": the source reads from there; choose another --out");
   }
   engine::RunLog log(invocation.quiet);
   const engine::SteadyClock clock;
   engine::Assembly assembly(std::move(checked), log, clock, interrupts);
-  const SourceInfo& info = assembly.sourceInfo();
-  if (info.rig.width == 0) {
+  if (assembly.sourceInfo().rig.width == 0) {
     fail(ExitCode::Dataset, "the source gives no images; a KITTI folder is made of them");
   }
   const std::string depth = command.depth ? depthOf(assembly) : "";
@@ -210,17 +175,18 @@ ExitCode execute(const RenderCommand& command, engine::SystemOptions system,
                                   static_cast<std::size_t>(threads));
   engine::StageLogger logger(log, "render");
   const std::int64_t begin_ns = clock.steadyNs();
-  auto progress = std::make_unique<ProgressLine>(std::cerr, clock, terminalOf(invocation),
-                                                 framesToCome(command.frames, info.frames));
-  const RenderOutcome outcome =
-      Rendering(assembly, folder, command.frames, depth, logger, *progress).run(interrupts);
+  auto progress =
+      std::make_unique<ProgressLine>(std::cerr, clock, terminalOf(invocation),
+                                     framesToCome(command.frames, assembly.sourceInfo().frames));
+  Rendering rendering(assembly, folder, depth, logger, *progress);
+  const Status source = rendering.run(command.frames, interrupts);
   progress.reset();
   const double seconds = static_cast<double>(clock.steadyNs() - begin_ns) * 1e-9;
   for (const Status& status : assembly.teardown()) logger.warning(status.message());
-  print(outcome, out, info.rig.calibrated, seconds, invocation);
-  engine::require(outcome.source, engine::FailureKind::Dataset);
-  if (outcome.interrupted) return ExitCode::Interrupted;
-  if (outcome.written > 0) return ExitCode::Ok;
+  rendering.print(out, seconds, interrupts.requested(), invocation);
+  engine::require(source, engine::FailureKind::Dataset);
+  if (interrupts.requested()) return ExitCode::Interrupted;
+  if (rendering.written() > 0) return ExitCode::Ok;
   fail(ExitCode::Dataset, "the source gave no frame with a sound image");
 }
 

@@ -223,8 +223,6 @@ void addViewCommand(CLI::App& app, Invocation& invocation) {
   auto no_hint = std::make_shared<bool>(false);
   auto no_images = std::make_shared<bool>(false);
   addArgument(command, "run", options->run, "RUN", "Run directory");
-  addOption(command, "--viewer", options->viewer, "OBSERVER",
-            "Observer that serves the page (default: the first by id that can)");
   addOption(command, "--port", options->port, "PORT",
             "TCP port (default: 8080 or a free one; 0: any)")
       ->check(CLI::Range(0, 65535));

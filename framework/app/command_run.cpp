@@ -23,7 +23,6 @@ using Json = nlohmann::ordered_json;
 struct RunCommand {
   Output out;
   bool view = false;
-  std::string viewer;  ///< id of the observer that --view adds; empty: the first with a page
 };
 
 engine::Outcome execute(engine::CheckedSystem checked, engine::RunOptions options,
@@ -41,7 +40,7 @@ ExitCode runSystem(const RunCommand& command, const SystemOptionsReader& reader,
   const engine::Interrupts interrupts;  // before anything that starts threads
   if (command.view) {
     const host::Catalogue catalogue = engine::openCatalogue(system.plugin_paths);
-    system.observers.push_back(engine::findPageObserver(catalogue, command.viewer));
+    system.observers.push_back(engine::findPageObserver(catalogue));
   }
   engine::RunOptions options;
   options.out = command.out.path;
@@ -152,10 +151,7 @@ void addRunCommand(CLI::App& app, Invocation& invocation) {
                                       "Replace the run that the --out directory holds");
   reader->addContinue();
   command.get_option("--resume")->excludes(out)->excludes(command.get_option("--force"));
-  auto* view = command.add_flag("--view", options->view, "Show the run in the browser");
-  addOption(command, "--viewer", options->viewer, "OBSERVER",
-            "Observer that --view adds (default: the first by id that serves a page)")
-      ->needs(view);
+  command.add_flag("--view", options->view, "Show the run in the browser");
   command.callback([options, reader, &invocation] {
     invocation.exit_code = runSystem(*options, *reader, invocation);
   });

@@ -14,7 +14,6 @@
 #include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
 #include "host/child_process.hpp"
-#include "host/scratch_folder.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {

@@ -157,19 +157,17 @@ Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
   return writeImage("depth_0", index, encodeDepthPng(*map));
 }
 
-Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
+Status KittiFolder::writeTexts(const CameraRig& rig, const std::vector<std::int64_t>& stamps_ns,
+                               const evaluation::Trajectory& truth,
                                const std::vector<evaluation::Revisit>& revisits) const {
-  Status status;
-  const auto write = [&](const char* name, const std::string& text) {
-    if (status.isOk()) status = record::writeAtomically(folder_ / name, text);
-  };
-  if (log.hasTruth()) {
-    write("poses.txt", record::kittiText(log.truth));
-    write("loops.txt", evaluation::loopsText(revisits));
+  std::vector<record::OutputFile> files;
+  if (!stamps_ns.empty() && truth.size() == stamps_ns.size()) {
+    files.push_back({folder_ / "poses.txt", record::kittiText(truth)});
+    files.push_back({folder_ / "loops.txt", evaluation::loopsText(revisits)});
   }
-  if (rig.calibrated) write("calib.txt", calibrationText(rig));
-  write("times.txt", timesText(log.stamps_ns));
-  return status;
+  if (rig.calibrated) files.push_back({folder_ / "calib.txt", calibrationText(rig)});
+  files.push_back({folder_ / "times.txt", timesText(stamps_ns)});
+  return record::writeOutputs(files);
 }
 
 }  // namespace tolman::app

@@ -14,14 +14,6 @@
 
 namespace tolman::app {
 
-/// The data for times.txt, poses.txt and loops.txt; one entry per image.
-struct DriveLog {
-  std::vector<std::int64_t> stamps_ns;
-  evaluation::Trajectory truth;  ///< frames as in the folder; as long as stamps_ns, or incomplete
-
-  bool hasTruth() const { return !stamps_ns.empty() && truth.size() == stamps_ns.size(); }
-};
-
 /// 8 bits a channel; the image must not be empty.
 Result<std::string> encodePng(const Image& image);
 
@@ -54,9 +46,11 @@ class KittiFolder {
   /// from any thread.
   Status writeFrame(std::int64_t index, const Frame& frame, const std::string& depth) const;
 
-  /// Writes calib.txt (not for cameras without calibration), times.txt, and with complete truth
-  /// poses.txt and loops.txt. To be called last: a folder without times.txt is not a data set yet.
-  Status writeTexts(const CameraRig& rig, const DriveLog& log,
+  /// Writes calib.txt (not for cameras without calibration), times.txt, and with a true pose for
+  /// each image poses.txt and loops.txt. To be called last: a folder without times.txt is not a
+  /// data set yet.
+  Status writeTexts(const CameraRig& rig, const std::vector<std::int64_t>& stamps_ns,
+                    const evaluation::Trajectory& truth,
                     const std::vector<evaluation::Revisit>& revisits) const;
 
  private:

@@ -14,9 +14,6 @@ std::string parametersText(const host::LoadedPlugin& plugin);
 std::string parametersMarkdown(const host::LoadedPlugin& plugin);
 nlohmann::ordered_json parametersJson(const host::LoadedPlugin& plugin);
 
-/// "1 to 512", ">= 0", "forward, backward", or nothing.
-std::string limitsText(const ParameterInfo& info);
-
 /// JSON Schema (draft 2020-12) of a configuration file, for editors: the host's sections, and in
 /// each stage these plugins of its role, selected by `plugin`. A file that `extends` another needs
 /// no complete stages.

@@ -58,23 +58,16 @@ inline constexpr std::array<std::string_view, 2> kPipelineModeNames = {"lossless
 constexpr std::span<const std::string_view> enumNames(PipelineMode) { return kPipelineModeNames; }
 
 /// How a full queue handles another frame.
-enum class QueuePolicy : std::uint8_t { DropOldest, DropNewest, Block };
-inline constexpr std::array<std::string_view, 3> kQueuePolicyNames = {"drop_oldest", "drop_newest",
-                                                                      "block"};
+enum class QueuePolicy : std::uint8_t { DropOldest, Block };
+inline constexpr std::array<std::string_view, 2> kQueuePolicyNames = {"drop_oldest", "block"};
 constexpr std::span<const std::string_view> enumNames(QueuePolicy) { return kQueuePolicyNames; }
-
-enum class PlacePolicy : std::uint8_t { Block, DropNewest };
-inline constexpr std::array<std::string_view, 2> kPlacePolicyNames = {"block", "drop_newest"};
-constexpr std::span<const std::string_view> enumNames(PlacePolicy) { return kPlacePolicyNames; }
 
 /// Keys below `pipeline`.
 struct PipelineSettings {
   PipelineMode mode = PipelineMode::Lossless;
   int queue = 8;  ///< frames
   QueuePolicy input_policy = QueuePolicy::DropOldest;
-  PlacePolicy place_policy = PlacePolicy::Block;
-  double speed = 1;            ///< times data time
-  double stage_deadline = 10;  ///< s
+  double speed = 1;  ///< times data time
   static constexpr auto declaration() {
     using S = PipelineSettings;
     return parameters(
@@ -83,15 +76,9 @@ struct PipelineSettings {
         parameter("queue", &S::queue).range(1, 1024).unit("frames").doc("Length of each queue."),
         parameter("input_policy", &S::input_policy)
             .doc("realtime: what the full input queue does."),
-        parameter("place_policy", &S::place_policy)
-            .doc("realtime: what the full queue of place recognition does."),
         parameter("speed", &S::speed)
             .range(0.01, 1000)
-            .doc("realtime: seconds of data per second."),
-        parameter("stage_deadline", &S::stage_deadline)
-            .range(0, 1e6)
-            .unit("s")
-            .doc("A call of a stage that takes longer is reported as an event; 0: none is."));
+            .doc("realtime: seconds of data per second."));
   }
 };
 
@@ -178,9 +165,8 @@ struct RecordSettings {
             .range(-1, 1e6)
             .unit("frames")
             .doc("Named arrays of the cells are recorded every N frames; 0: never. "
-                 "-1: at all of up to 5,000 frames, at every 2nd of up to 10,000, "
-                 "at every 4th of up to 20,000, and so on: a run that goes on "
-                 "removes the others again."),
+                 "-1: at each of the first 5,000, at every 2nd up to 10,000, at "
+                 "every 4th up to 20,000, and so on."),
         parameter("state_every", &S::state_every)
             .range(0, 1e6)
             .unit("s")

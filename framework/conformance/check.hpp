@@ -66,9 +66,6 @@ class CheckContext {
     add({Finding::Severity::Warning, {}, message, remedy});
   }
   void note(const std::string& message) const { add({Finding::Severity::Note, {}, message}); }
-  void measured(const std::string& name, double value, const std::string& unit) const {
-    send_({{"name", name}, {"value", value}, {"unit", unit}});
-  }
   /// Ends the check, which throws its last finding.
   [[noreturn]] void skip(const std::string& reason) const;
   /// A failure ends the check likewise.
@@ -131,7 +128,6 @@ struct Check {
 std::span<const Check> declarationChecks();
 std::span<const Check> lifeChecks();
 std::span<const Check> inputChecks();
-std::span<const Check> processChecks();
 
 /// All checks in the order in which they run.
 std::vector<Check> allChecks();

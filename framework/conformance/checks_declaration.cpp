@@ -140,27 +140,6 @@ void checkRandom(CheckContext& context) {
                            worked, refused));
 }
 
-void checkMissingData(CheckContext& context) {
-  const PluginUnderTest& plugin = context.plugin();
-  ParameterValues values = plugin.values;
-  bool has_path = false;
-  for (const ParameterInfo& info : plugin.loaded.schema) {
-    if (info.type != ParameterType::Path || !info.required) continue;
-    values[info.name] = (plugin.scratch / "nothing/here").string();
-    has_path = true;
-  }
-  if (!has_path) context.skip("it has no required path");
-  const auto instance = TestInstance::make(plugin, values);
-  const Status status = instance->configure({});
-  if (status.isOk()) {
-    context.error("configure() accepts a path that does not exist",
-                  "check the data in configure(), so that errors come before frame 0");
-  } else if (status.message().find("nothing") == std::string::npos) {
-    context.warning("the failure does not name the path: " + status.message(),
-                    "name the missing file and a remedy");
-  }
-}
-
 constexpr std::array kDeclarationChecks = {
     Check{"manifest", 1, kAllRoles,
           "a summary, a version, and a build that is compatible with this host",
@@ -177,8 +156,6 @@ constexpr std::array kDeclarationChecks = {
           "works with any legal parameters, or refuses them in configure()",
           "narrow the ranges, or refuse the combination with Status::invalidParameter()",
           &checkRandom},
-    Check{"missing-data", 1, kSource, "missing data are refused with their path",
-          "check the data in configure()", &checkMissingData},
 };
 
 }  // namespace

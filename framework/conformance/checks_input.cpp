@@ -45,11 +45,6 @@ void checkEmpty(CheckContext& context) {
   context.runOnce(sequence, "no frame with an image");
 }
 
-void checkSkippedStages(CheckContext& context) {
-  checkAnswered<loseTracking>(context);
-  checkAnswered<loseFirstFrames>(context);
-}
-
 SequenceOptions shortSequence(CheckContext& context) {
   SequenceOptions options = context.sequenceOptions();
   options.frames = 8;
@@ -64,21 +59,6 @@ void checkSizes(CheckContext& context) {
     requireAnswersOrRefusal(context, makeSequence(options),
                             std::to_string(width) + "x" + std::to_string(height) + " px");
   }
-}
-
-void checkColour(CheckContext& context) {
-  SequenceOptions options = shortSequence(context);
-  options.format = PixelFormat::Bgr8;
-  const InputSequence sequence = makeSequence(options);
-  const auto instance = context.configured(sequence.rig);
-  std::size_t refused = 0;
-  for (const FrameInput& input : sequence.inputs)
-    refused += instance->process(input).isOk() ? 0 : 1;
-  (void)instance->finish(sequence);
-  context.require(instance->reset(), "after colour images");
-  context.require(instance->destroy(), "after colour images");
-  context.note(std::to_string(refused) + " of " + std::to_string(sequence.inputs.size()) +
-               " frames refused");
 }
 
 void checkRigs(CheckContext& context) {
@@ -102,7 +82,7 @@ constexpr std::array kInputChecks = {
           &checkAnswered<makeTextureless>},
     Check{"skipped-stages", 1, kWithInput,
           "lost tracking and the default records of skipped stages are answered",
-          "Lost, None and Stay are legal from the first frame on", &checkSkippedStages},
+          "Lost, None and Stay are legal from the first frame on", &checkAnswered<loseTracking>},
     Check{"frames-dropped", 1, kWithInput, "frames may be left out, as under `realtime`",
           "frame.frame may increase by more than one", &checkAnswered<dropFrames>},
     Check{"rig-sizes", 1, kWithImages, "odd and tiny images are answered, or the rig is refused",
@@ -110,8 +90,6 @@ constexpr std::array kInputChecks = {
     Check{"rig-kinds", 1, kWithInput,
           "one camera, no calibration, no camera: answered, or refused in configure()",
           "test context.rig in configure() and return Status::unsupported()", &checkRigs},
-    Check{"colour", 1, kWithImages, "colour images cause no crash", "test image.format()",
-          &checkColour},
 };
 
 }  // namespace

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls in every legal order, valid answers in a plain run, repeated runs, and saved state.
+// Calls in every legal order, valid answers in a plain run, repeated runs, saved state, and side
+// effects on the process.
 #include <oneapi/tbb/global_control.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
 #include <map>
-#include <sstream>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -13,6 +21,8 @@
 #include "tolman/context.hpp"
 
 namespace tolman::conformance {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -52,8 +62,9 @@ void checkAnswers(CheckContext& context) {
   const auto instance = context.configured(sequence.rig);
   context.require(instance->run(sequence));
   context.require(instance->finish(sequence));
-  const Measurement reached = instance->reached();
-  if (!reached.name.empty()) context.measured(reached.name, reached.value, reached.unit);
+  if (!instance->reached().name.empty()) {
+    context.note(std::to_string(instance->reached().count) + " " + instance->reached().name);
+  }
   context.require(instance->destroy());
 }
 
@@ -156,12 +167,11 @@ void checkPadding(CheckContext& context) {
 
 /// An instance that was loaded with what `instance` saved.
 std::unique_ptr<TestInstance> restoredFrom(CheckContext& context, TestInstance& instance,
-                                           const CameraRig& rig, std::size_t& size) {
-  std::stringstream stream;
-  context.require(instance.save(stream));
-  size = stream.str().size();
+                                           const CameraRig& rig) {
   auto restored = context.configured(rig);
-  context.require(restored->load(stream));
+  const Result<std::string> saved = instance.save();
+  context.require(saved.status());
+  context.require(restored->load(saved.value()));
   restored->continueRun(instance);
   return restored;
 }
@@ -174,13 +184,11 @@ void checkState(CheckContext& context) {
   if (!instance->keepsState()) context.skip("it does not implement StateKeeper");
   std::map<std::size_t, std::unique_ptr<TestInstance>> restored;  // by the next frame
   std::size_t next = 0;
-  std::size_t size = 0;
   for (const std::size_t tenths : {2U, 5U, 8U}) {
     const std::size_t first = std::exchange(next, tenths * sequence.inputs.size() / 10);
     context.require(instance->run(sequence, first, next));
-    restored[next] = restoredFrom(context, *instance, sequence.rig, size);
+    restored[next] = restoredFrom(context, *instance, sequence.rig);
   }
-  context.measured("saved state", static_cast<double>(size) / 1024, "KiB");
   context.require(instance->run(sequence, next), "after save");
   context.require(instance->finish(sequence), "after save");
   for (const auto& [frame, other] : restored) {
@@ -202,21 +210,118 @@ void checkLocaliser(CheckContext& context) {
   if (!context.manifest().hasExtra("localise")) context.skip("it does not declare Localiser");
   const auto learned = context.configured(sequence.rig);
   context.require(learned->run(sequence));
-  std::stringstream map;
-  context.require(learned->save(map));
+  const Result<std::string> map = learned->save();
+  context.require(map.status());
   const auto instance = TestInstance::make(context.completePlugin());
   context.require(instance->configure(sequence.rig, true));
-  context.require(instance->load(map));
+  context.require(instance->load(map.value()));
   instance->continueRun(*learned);
   for (int pass = 0; pass < 2; ++pass) {
     context.require(instance->run(sequence), "in a map that stays as it is");
   }
-  std::ostringstream after;
-  context.require(instance->save(after));
-  const std::size_t grown = after.str().size();
-  if (grown <= map.str().size() + kRounding) return;
-  context.error("its state grew from " + std::to_string(map.str().size()) + " to " +
+  const Result<std::string> after = instance->save();
+  context.require(after.status());
+  const std::size_t grown = after.value().size();
+  if (grown <= map.value().size() + kRounding) return;
+  context.error("its state grew from " + std::to_string(map.value().size()) + " to " +
                 std::to_string(grown) + " bytes while it localised");
+}
+
+// Side effects of a plugin on its process: global state, output, threads, files.
+
+/// What the host does not restore (KeptState), by name.
+std::map<std::string, std::string> processState() {
+  std::error_code error;
+  std::map<std::string, std::string> state = {
+      {"working directory", fs::current_path(error).string()}};
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    state["environment variable " + text.substr(0, text.find('='))] = text;
+  }
+  return state;
+}
+
+/// Number of threads. Waits up to 0.5 s for it to fall to `expected`.
+std::size_t threadCount(std::size_t expected) {
+  using namespace std::chrono_literals;
+  std::size_t count = 0;
+  for (int i = 0; i < 50; ++i) {
+    const fs::directory_iterator tasks("/proc/self/task");
+    count = static_cast<std::size_t>(std::distance(begin(tasks), end(tasks)));
+    if (count <= expected) break;
+    std::this_thread::sleep_for(10ms);
+  }
+  return count;
+}
+
+/// The target of each open file descriptor.
+std::map<int, std::string> openFiles() {
+  std::map<int, std::string> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator("/proc/self/fd")) {
+    const std::string target = fs::read_symlink(entry.path(), error).string();
+    const bool is_this_list = target.starts_with("/proc/") && target.ends_with("/fd");
+    if (!error && !is_this_list) files[std::stoi(entry.path().filename())] = target;
+  }
+  return files;
+}
+
+/// What this process has written to stdout and stderr.
+std::string outputOf(const CheckContext& context) {
+  std::cout.flush();
+  std::fflush(nullptr);
+  std::ifstream file(context.task().folder / kOutputFile);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The state at the end equals that before the library was opened. The interpreter of a program is
+/// the host's own, and writes the stack at a fault: it is opened first.
+void checkGlobals(CheckContext& context) {
+  if (!context.manifest().program.empty()) (void)context.plugin();
+  const std::size_t written = outputOf(context).size();
+  const auto before = processState();
+  const InputSequence sequence = context.sequence();
+  const auto instance = context.configured(sequence.rig);
+  context.require(instance->run(sequence));
+  context.require(instance->finish(sequence));
+  context.require(instance->destroy());
+  std::map<std::string, std::string> changed;
+  std::ranges::set_symmetric_difference(before, processState(),
+                                        std::inserter(changed, changed.end()));
+  for (const auto& [name, text] : changed) context.error(name + " was changed");
+  std::set<std::string> restored = context.plugin().loaded.changed;
+  restored.insert(instance->changed().begin(), instance->changed().end());
+  for (const std::string& name : restored)
+    context.error(name + " was changed; the host restored it");
+  const std::string output = outputOf(context).substr(written, 200);
+  if (!output.empty()) context.error("wrote to stdout or stderr: '" + output + "'");
+}
+
+/// The first instance may create pools and caches that stay; the second must release all that it
+/// acquires. oneTBB gets no workers, so every other thread is the plugin's own.
+void checkLeaks(CheckContext& context) {
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
+  const InputSequence sequence = shortened(context.sequence(), 8);
+  const std::size_t at_first = threadCount(1);
+  context.runOnce(sequence);
+  const std::size_t before = threadCount(at_first);
+  const std::map<int, std::string> files_before = openFiles();
+  const auto instance = context.configured(sequence.rig);
+  context.require(instance->run(sequence));
+  context.require(instance->finish(sequence));
+  const std::size_t after_finish = threadCount(before);
+  context.require(instance->destroy());
+  const std::size_t after = threadCount(before);
+  if (after > before) {
+    context.error(
+        "left a thread running: " + std::to_string(after - before) + " more with each instance",
+        "join threads in finish() and in the destructor");
+  } else if (after_finish > before) {
+    context.error("a thread still runs after finish()", "join threads in finish()");
+  }
+  for (const auto& [descriptor, target] : openFiles()) {
+    if (!files_before.contains(descriptor)) context.error("left a file open: " + target);
+  }
 }
 
 constexpr std::array kLifeChecks = {
@@ -255,6 +360,12 @@ constexpr std::array kLifeChecks = {
           "with context.localise it uses a saved map, and nothing is added to it",
           "answer None instead of Novel, and Stay with experience -1 instead of a new experience",
           &checkLocaliser},
+    Check{"globals", 2, kAllRoles,
+          "does not change locale, signals, rounding, working directory, environment; writes no "
+          "output",
+          "use the logger, the random stream and the clock of the context", &checkGlobals},
+    Check{"leaks", 2, kAllRoles, "leaves no thread running and no file open",
+          "close files and join threads in the destructor at the latest", &checkLeaks},
 };
 
 }  // namespace

@@ -29,8 +29,7 @@ class SyntheticRoom {
   static Eigen::Isometry3d poseAt(double angle);
 
   /// Image of a camera `offset` m to the right of the rig's left camera.
-  Image view(const Eigen::Isometry3d& T_world_camera, const CameraRig& rig, double offset,
-             PixelFormat format) const;
+  Image view(const Eigen::Isometry3d& T_world_camera, const CameraRig& rig, double offset) const;
 
   /// Depth along the optical axis at a pixel, m.
   static double depth(const Eigen::Isometry3d& T_world_camera, const CameraRig& rig,
@@ -78,7 +77,6 @@ struct SequenceOptions {
   bool images = true;
   bool stereo = true;
   bool depth = false;  ///< a depth image of the left camera, the sensor array "depth.left"
-  PixelFormat format = PixelFormat::Gray8;
 };
 
 /// Images for roles that use them, more than one circle for roles that need loops.
@@ -95,8 +93,6 @@ InputSequence shortened(InputSequence sequence, std::size_t count);
 void removeImages(InputSequence& sequence);
 /// Some frames with lost tracking, some with the default records of skipped stages.
 void loseTracking(InputSequence& sequence);
-/// The first two frames with the default records of skipped stages.
-void loseFirstFrames(InputSequence& sequence);
 /// Some frames left out, as under `realtime`.
 void dropFrames(InputSequence& sequence);
 /// The same pixels with a stride larger than the width.

@@ -16,9 +16,7 @@
 #include "base/named_value.hpp"
 #include "config/json_text.hpp"
 #include "conformance/check.hpp"
-#include "host/channel.hpp"
 #include "host/child_process.hpp"
-#include "host/scratch_folder.hpp"
 
 namespace tolman::conformance {
 
@@ -38,10 +36,6 @@ Json jsonOf(const Finding& finding) {
           {"remedy", finding.remedy}};
 }
 
-Json jsonOf(const Measurement& measured) {
-  return {{"name", measured.name}, {"value", measured.value}, {"unit", measured.unit}};
-}
-
 Json jsonOf(const CheckResult& result);
 
 template <class T>
@@ -52,13 +46,9 @@ Json listOf(const std::vector<T>& items) {
 }
 
 Json jsonOf(const CheckResult& result) {
-  return {{"check", result.check},
-          {"level", result.level},
-          {"demand", result.demand},
-          {"result", enumName(result.severity())},
-          {"seconds", result.seconds},
-          {"findings", listOf(result.findings)},
-          {"measurements", listOf(result.measurements)}};
+  return {{"check", result.check},     {"level", result.level},
+          {"demand", result.demand},   {"result", enumName(result.severity())},
+          {"seconds", result.seconds}, {"findings", listOf(result.findings)}};
 }
 
 std::string indented(const std::string& text) {
@@ -85,11 +75,11 @@ class CheckProcess {
     const CheckTask task{options, result_.check, scratch.path()};
     std::vector<std::string> command = options.program;
     command.push_back(config::jsonText(nlohmann::json(task)));
-    const host::Descriptor output(
+    const FileDescriptor output(
         ::open((scratch.path() / kOutputFile).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
-    host::ChildProcess child(command, {}, output.get());
+    host::ChildProcess child(command, {}, output.number());
     const host::ProcessEnd end =
         child.end(std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * options.timeout)));
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -108,9 +98,6 @@ class CheckProcess {
       const Json message = Json::parse(line, nullptr, false);
       if (message.contains("call")) call_ = message["call"];
       if (message.contains("input")) input_ = message["input"];
-      if (message.contains("name")) {
-        result_.measurements.push_back({message["name"], message["value"], message["unit"]});
-      }
       if (message.contains("severity")) {
         const auto severity = valueNamed<Finding::Severity>(message["severity"].get<std::string>());
         result_.findings.push_back({*severity, {}, message["message"], message["remedy"]});
@@ -157,11 +144,7 @@ bool isWanted(const Check& check, const KitOptions& options, Role role) {
 
 std::string text(const CheckResult& result) {
   std::string lines =
-      fmt::format("{:<9}{:<20}{}", enumName(result.severity()), result.check, result.demand);
-  for (const Measurement& measured : result.measurements) {
-    lines += fmt::format("\n{:29}{}: {:.4g} {}", "", measured.name, measured.value, measured.unit);
-  }
-  lines += "\n";
+      fmt::format("{:<9}{:<20}{}\n", enumName(result.severity()), result.check, result.demand);
   for (const Finding& finding : result.findings) {
     lines += indented(finding.message);
     if (!finding.remedy.empty()) lines += indented("remedy: " + finding.remedy);
@@ -238,6 +221,14 @@ void runCheck(const std::string& text) {
     context.error(std::string("the check failed with an exception: ") + error.what());
   }
   send({{"completed", true}});
+}
+
+std::vector<Check> allChecks() {
+  std::vector<Check> all;
+  for (const auto& group : {declarationChecks(), lifeChecks(), inputChecks()}) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
 }
 
 std::vector<std::string> checkIds() {

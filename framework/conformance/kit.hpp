@@ -22,13 +22,6 @@ inline constexpr std::array<std::string_view, 4> kCheckSeverityNames = {"ok", "s
                                                                         "error"};
 constexpr std::span<const std::string_view> enumNames(CheckSeverity) { return kCheckSeverityNames; }
 
-/// A number that is reported and has no limit.
-struct Measurement {
-  std::string name;
-  double value = 0;
-  std::string unit;
-};
-
 /// How one check ended.
 struct CheckResult {
   std::string check;
@@ -36,7 +29,6 @@ struct CheckResult {
   std::string demand;  ///< the requirement that was tested
   double seconds = 0;
   std::vector<Finding> findings{};
-  std::vector<Measurement> measurements{};
   bool skipped = false;
 
   /// The worst of the findings.

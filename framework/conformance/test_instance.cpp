@@ -92,7 +92,7 @@ class PlaceInstance final : public InstanceOf<host::PlaceStage> {
     answer.add(seen);
     reached_.name = "familiar views";
     if (!status.isOk()) return status;
-    if (seen.recognition == Recognition::Familiar) ++reached_.value;
+    if (seen.recognition == Recognition::Familiar) ++reached_.count;
     if (seen.recognition == Recognition::Novel) ++now_.count;
     return status;
   }
@@ -108,7 +108,7 @@ class CellsInstance final : public InstanceOf<host::CellsStage> {
     reached_.name = "loops closed";
     if (!status.isOk()) return status;
     if (decision.action == Action::CreateExperience) ++now_.count;
-    if (decision.action == Action::CloseLoop) ++reached_.value;
+    if (decision.action == Action::CloseLoop) ++reached_.count;
     return status;
   }
 };
@@ -124,7 +124,7 @@ class MapInstance final : public InstanceOf<host::MapStage> {
     if (status.isOk()) status = stage_.graph(graph);
     if (status.isOk()) status = stage_.checkLastPose();
     if (!status.isOk()) return status;
-    reached_ = {"loop links", static_cast<double>(update.loops), ""};
+    reached_ = {"loop links", update.loops};
     now_.frames.push_back(input.frame.frame);
     return checkUnseen(input.frame.frame + 1'000'000);
   }
@@ -321,16 +321,14 @@ Status TestInstance::destroy() {
   return instance().destroy();
 }
 
-Status TestInstance::save(std::ostream& stream) {
+Result<std::string> TestInstance::save() {
   plugin_.trace("save");
-  return instance().call<Plugin>(
-      "save", -1, [&](Plugin&) { return host::saveTo(stream, *instance().state()); });
+  return instance().save();
 }
 
-Status TestInstance::load(std::istream& stream) {
+Status TestInstance::load(const std::string& state) {
   plugin_.trace("load");
-  return instance().call<Plugin>("load", -1,
-                                 [&](Plugin&) { return instance().state()->load(stream); });
+  return instance().load(state);
 }
 
 }  // namespace tolman::conformance

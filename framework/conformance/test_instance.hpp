@@ -89,13 +89,16 @@ class TestInstance {
   Status finish(const InputSequence& sequence);
   Status destroy();
 
-  Status save(std::ostream& stream);
-  Status load(std::istream& stream);
+  Result<std::string> save();
+  Status load(const std::string& state);
   bool keepsState() { return instance().state() != nullptr; }
   const std::set<std::string>& changed() { return instance().changed(); }
-  /// Number of events that need a long drive, such as closed loops; an empty name for roles without
-  /// such events.
-  const Measurement& reached() const { return reached_; }
+  /// Events that need a long drive, such as closed loops; an empty name for roles without them.
+  struct Reached {
+    std::string name{};
+    std::int64_t count = 0;
+  };
+  const Reached& reached() const { return reached_; }
   /// Expects the run of `other` to continue here: its state was loaded into this instance.
   void continueRun(const TestInstance& other);
 
@@ -124,7 +127,7 @@ class TestInstance {
   const PluginUnderTest& plugin_;
   CameraRig rig_;  ///< of the source of the run
   Progress now_;
-  Measurement reached_;
+  Reached reached_;
   bool is_begun_ = false;  ///< info() of a source, or begin() of an observer, was called
 
  private:

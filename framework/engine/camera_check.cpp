@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <numbers>
-#include <numeric>
-#include <optional>
-#include <vector>
+#include <opencv2/imgproc.hpp>
+
+#include "tolman/image_cv.hpp"
 
 namespace tolman::engine {
 
@@ -85,25 +82,53 @@ std::vector<std::string> cameraDoubts(const RawRig& raw, const CameraRig& rectif
 
 bool isNearlyBlack(const Image& image) {
   constexpr int kQuarter = 64;
-  constexpr std::int64_t kShare = 10'000;
-  const std::ptrdiff_t bytes = std::ptrdiff_t{image.width()} * bytesPerPixel(image.format());
-  std::int64_t bright = 0;
-  for (int r = 0; r < image.height(); ++r) {
-    bright += std::count_if(image.row(r), image.row(r) + bytes,
-                            [](std::uint8_t value) { return value >= kQuarter; });
+  constexpr std::size_t kShare = 10'000;
+  if (image.empty()) return false;
+  const cv::Mat values = asMat(image).reshape(1);
+  return static_cast<std::size_t>(cv::countNonZero(values >= kQuarter)) <= values.total() / kShare;
+}
+
+std::optional<Finding> Alternation::add(const Image& image) {
+  constexpr std::size_t kJudged = 24;  // images; by chance one in eight million alternates so long
+  constexpr double kLeast = 0.02;      // of the texture; chosen
+  if (image.width() < 2 || textures_.size() >= kJudged) return std::nullopt;
+  const cv::Mat pixels = asMat(image);
+  textures_.push_back(
+      cv::norm(pixels.colRange(1, pixels.cols), pixels.colRange(0, pixels.cols - 1), cv::NORM_L1));
+  if (textures_.size() < kJudged) return std::nullopt;
+  double less = 0;  // of the odd images, in sum
+  double all = 0;
+  for (std::size_t i = 1; i + 1 < kJudged; ++i) {
+    const double around = (textures_[i - 1] + textures_[i + 1]) / 2;
+    const double step = (i % 2 == 1 ? 1 : -1) * (around - textures_[i]);
+    if (less * step < 0) return std::nullopt;
+    less += step;
+    all += textures_[i];
   }
-  return !image.empty() && bright <= bytes * image.height() / kShare;
+  if (std::abs(less) <= kLeast * all) return std::nullopt;
+  return Finding{Finding::Severity::Warning, "images",
+                 "every second one has more texture, as of a projector that blinks "
+                 "(emitter_on_off): its dots stand still in the camera",
+                 fmt::format("use the others: add {} to source.first, and set source.step to 2",
+                             less > 0 ? 1 : 0),
+                 Finding::Kind::Unusual};
 }
 
 namespace {
 
 // Measuring a pair takes 2 ms, so only every fifth frame is measured; every frame during a fault.
-constexpr int kMeasuredEvery = 5;    // frames
-constexpr int kCertain = 12;         // matches; with fewer, two measures must find the same fault
-constexpr double kTurns = 2;         // px between two frames
-constexpr int kSoundAgain = 5;       // measures without a fault, in succession, that end it
-constexpr std::size_t kFewest = 20;  // matches of which rowsText() speaks
-constexpr std::size_t kMostRows = 500;  // likewise
+constexpr int kMeasuredEvery = 5;  // frames
+constexpr int kCertain = 12;       // matches; with fewer, two measures must find the same fault
+constexpr double kTurns = 2;       // px between two frames
+constexpr int kSoundAgain = 5;     // measures without a fault, in succession, that end it
+
+/// The value that `share` of the values do not exceed; there must be one.
+double quantile(std::vector<double> values, double share) {
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
 
 /// Whether two images have the same pixels, and not one grey level alone. Two exposures of a real
 /// camera never have, because of noise; a covered camera or darkness gives such images again and
@@ -127,10 +152,10 @@ bool isRepeated(const Image& a, const Image& b) {
 /// Whether the right image belongs to the left one of the frame before. Where the camera turns to
 /// one side, a late image looks as if both were exchanged and fits the left one before it; to the
 /// other side both fit, and what was seen in a turn to the first side decides.
-bool FrameCheck::isLate(const StereoMeasure& measure, const GrayHalf& right) {
+bool FrameCheck::isLate(const StereoMeasure& measure, const cv::Mat& right) {
   const StereoFault now = faultOf(measure);
   if (left_.empty() || (now != StereoFault::Exchanged && !late_)) return false;
-  const StereoMeasure before = measureStereo(grayHalf(left_), right);
+  const StereoMeasure before = measureStereo(halfOf(left_), right);
   if (before.matched < kCertain) return false;
   const StereoFault then = faultOf(before);
   if (then == StereoFault::Exchanged && now == StereoFault::None) late_ = false;
@@ -143,14 +168,11 @@ bool FrameCheck::isLate(const StereoMeasure& measure, const GrayHalf& right) {
 /// measures in succession find it. It ends after kSoundAgain measures without a fault.
 StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
-  const GrayHalf right = grayHalf(frame.right);
-  const StereoMeasure measure = measureStereo(grayHalf(frame.left), right);
+  const cv::Mat right = halfOf(frame.right);
+  const StereoMeasure measure = measureStereo(halfOf(frame.left), right);
   StereoFault measured = faultOf(measure);
   const bool late = isLate(measure, right);
   if (late) measured = StereoFault::OtherTime;
-  if (rows_.size() < kMostRows) {
-    rows_.insert(rows_.end(), measure.rows.begin(), measure.rows.end());
-  }
   const bool certain = measure.matched >= kCertain || measured == last_measured_;
   last_measured_ = measured;
   if (measured != StereoFault::None) {
@@ -205,200 +227,109 @@ std::optional<std::string> FrameCheck::check(Frame& frame) {
   return frame.defect = defect;
 }
 
-std::string FrameCheck::rowsText() const {
-  if (rows_.size() < kFewest) return "";
-  const double low = quantile(rows_, 0.5);
-  std::vector<double> apart = rows_;
-  for (double& row : apart) row = std::fabs(row);
-  return fmt::format(
-      "of {} corners the right image is {:.1f} px {} (median), and 90 % are within {:.1f} px",
-      rows_.size(), std::fabs(low), low < 0 ? "high" : "low", quantile(apart, 0.9));
-}
-
 namespace {
 
 // Lengths in pixels of the half images.
-constexpr int kRadius = 5;  // rows of a patch above and below its middle
-constexpr int kPatchWidth = 16;
+const cv::Size kPatch(16, 11);
 constexpr int kFarLeft = 64;   // largest disparity
 constexpr int kFarRight = 16;  // largest disparity of the wrong sign
 constexpr int kRows = 6;       // rows that are searched above and below
-constexpr int kBorder = kPatchWidth / 2 + kRows + 1;
-constexpr int kColumnsOfCells = 12;
-constexpr int kRowsOfCells = 5;
+const int kBorder = kPatch.width / 2 + kRows + 1;
+const cv::Size kCells(12, 5);
 
 constexpr double kMostExchanged = 0.6;  // share of the matches
 
-constexpr int kPatchArea = kPatchWidth * (2 * kRadius + 1);
-constexpr double kWeakestCorner = 40;      // smaller eigenvalue of the structure tensor, per pixel
-constexpr double kLargestDifference = 14;  // grey levels per pixel
-constexpr double kDistinct = 0.75;         // best difference relative to that of any distant place
-
-struct Corner {
-  int x = 0;
-  int y = 0;
-  double strength = 0;
-};
-
-/// Smaller eigenvalue of the structure tensor of the patch, per pixel (Shi and Tomasi 1994).
-double cornerStrength(const GrayHalf& image, int x, int y) {
-  constexpr int kWindow = 3;
-  double xx = 0;
-  double yy = 0;
-  double xy = 0;
-  for (int r = y - kWindow; r <= y + kWindow; ++r) {
-    const std::uint8_t* above = image.row(r - 1);
-    const std::uint8_t* row = image.row(r);
-    const std::uint8_t* below = image.row(r + 1);
-    for (int c = x - kWindow; c <= x + kWindow; ++c) {
-      const int dx = row[c + 1] - row[c - 1];
-      const int dy = below[c] - above[c];
-      xx += dx * dx;
-      yy += dy * dy;
-      xy += dx * dy;
-    }
-  }
-  const double mean = 0.5 * (xx + yy);
-  return (mean - std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy)) /
-         ((2 * kWindow + 1) * (2 * kWindow + 1));
-}
+// Smaller eigenvalue of the structure tensor (Shi and Tomasi 1994): 40 grey levels^2 per pixel.
+constexpr double kWeakestCorner = 40.0 / (255 * 255);
+constexpr double kLeastAlike = 0.8;  // correlation
+constexpr double kDistinct = 0.56;   // 1 - correlation, relative to that of any distant place
 
 /// The strongest corner of each cell of a grid.
-std::vector<Corner> findCorners(const GrayHalf& image) {
-  std::vector<Corner> corners;
-  const int width = image.width - 2 * kBorder;
-  const int height = image.height - 2 * kBorder;
-  if (width < kColumnsOfCells || height < kRowsOfCells) return corners;
-  for (int cell = 0; cell < kColumnsOfCells * kRowsOfCells; ++cell) {
-    const int column = cell % kColumnsOfCells;
-    const int row = cell / kColumnsOfCells;
-    Corner best;
-    for (int y = kBorder + row * height / kRowsOfCells;
-         y < kBorder + (row + 1) * height / kRowsOfCells; y += 3) {
-      for (int x = kBorder + column * width / kColumnsOfCells;
-           x < kBorder + (column + 1) * width / kColumnsOfCells; x += 3) {
-        const double strength = cornerStrength(image, x, y);
-        if (strength > best.strength) best = {x, y, strength};
-      }
-    }
-    if (best.strength > kWeakestCorner) corners.push_back(best);
+std::vector<cv::Point> findCorners(const cv::Mat& image) {
+  constexpr int kWindow = 7;
+  std::vector<cv::Point> corners;
+  const cv::Size inside(image.cols - 2 * kBorder, image.rows - 2 * kBorder);
+  if (inside.width < kCells.width || inside.height < kCells.height) return corners;
+  cv::Mat strength;
+  cv::cornerMinEigenVal(image, strength, kWindow, 1);
+  for (int cell = 0; cell < kCells.area(); ++cell) {
+    const cv::Point at(cell % kCells.width, cell / kCells.width);
+    const auto begin = [&](int x, int y) {
+      return cv::Point(kBorder + x * inside.width / kCells.width,
+                       kBorder + y * inside.height / kCells.height);
+    };
+    const cv::Rect part(begin(at.x, at.y), begin(at.x + 1, at.y + 1));
+    double most = 0;
+    cv::Point best;
+    cv::minMaxLoc(strength(part), nullptr, &most, nullptr, &best);
+    if (most > kWeakestCorner) corners.push_back(part.tl() + best);
   }
   return corners;
 }
 
-/// Sum of absolute differences of two patches. The compiler uses one instruction per row.
-int difference(const GrayHalf& left, const Corner& corner, const GrayHalf& right, int x, int y) {
-  int sum = 0;
-  for (int r = -kRadius; r <= kRadius; ++r) {
-    const std::uint8_t* a = left.row(corner.y + r) + corner.x - kPatchWidth / 2;
-    const std::uint8_t* b = right.row(y + r) + x - kPatchWidth / 2;
-    for (int c = 0; c < kPatchWidth; ++c) sum += std::abs(b[c] - a[c]);
-  }
-  return sum;
-}
-
-int meanOf(const GrayHalf& image) {
-  const auto sum = std::accumulate(image.pixels.begin(), image.pixels.end(), std::int64_t{0});
-  return static_cast<int>(sum / static_cast<std::int64_t>(image.pixels.size()));
-}
-
-/// The image as bright as `other`.
-GrayHalf asBright(GrayHalf image, const GrayHalf& other) {
-  const int brighter = meanOf(other) - meanOf(image);
-  for (std::uint8_t& pixel : image.pixels) {
-    pixel = static_cast<std::uint8_t>(std::clamp(pixel + brighter, 0, 255));
-  }
-  return image;
-}
-
-struct RowMatch {
-  double down = 0;     ///< rows, in pixels of the half images
-  double to_left = 0;  ///< disparity, likewise
-};
-
-std::optional<RowMatch> findMatch(const GrayHalf& left, const Corner& corner,
-                                  const GrayHalf& right) {
-  const int begin = std::max(corner.x - kFarLeft, kPatchWidth / 2);
-  const int end = std::min(corner.x + kFarRight, right.width - kPatchWidth / 2);
-  const int width = end - begin + 1;
-  std::vector<int> costs(static_cast<std::size_t>(width) * (2 * kRows + 1));
-  const auto cost = [&](int x, int down) -> int& {
-    return costs[static_cast<std::size_t>((down + kRows) * width + x - begin)];
-  };
-  int best_x = begin;
-  int best_down = -kRows;
-  for (int down = -kRows; down <= kRows; ++down) {
-    for (int x = begin; x <= end; ++x) {
-      cost(x, down) = difference(left, corner, right, x, corner.y + down);
-      if (cost(x, down) < cost(best_x, best_down)) best_x = x, best_down = down;
-    }
-  }
-  const int best = cost(best_x, best_down);
-  const bool inside = std::abs(best_down) < kRows && best_x > begin && best_x < end;
-  if (!inside || best > kLargestDifference * kPatchArea) return std::nullopt;
-  for (int down = -kRows; down <= kRows; ++down) {
-    for (int x = begin; x <= end; ++x) {
-      if (std::abs(x - best_x) <= 2 && std::abs(down - best_down) <= 2) continue;
-      if (best > kDistinct * cost(x, down)) return std::nullopt;
-    }
-  }
-  // The minimum of a parabola through three differences.
-  const double above = cost(best_x, best_down - 1);
-  const double below = cost(best_x, best_down + 1);
-  const double curvature = above - 2 * best + below;
-  const double rest = curvature > 0 ? std::clamp(0.5 * (above - below) / curvature, -0.5, 0.5) : 0;
-  return RowMatch{best_down + rest, static_cast<double>(corner.x - best_x)};
+/// How far lower and further left the corner is in the right image; none if that is ambiguous.
+std::optional<cv::Point2d> findMatch(const cv::Mat& left, const cv::Point& corner,
+                                     const cv::Mat& right) {
+  const int begin = std::max(corner.x - kFarLeft, kPatch.width / 2);
+  const int end = std::min(corner.x + kFarRight, right.cols - kPatch.width / 2);
+  const cv::Point to_middle(kPatch.width / 2, kPatch.height / 2);
+  const cv::Rect searched(cv::Point(begin, corner.y - kRows) - to_middle,
+                          kPatch + cv::Size(end - begin, 2 * kRows));
+  cv::Mat alike;
+  cv::matchTemplate(right(searched), left(cv::Rect(corner - to_middle, kPatch)), alike,
+                    cv::TM_CCOEFF_NORMED);
+  double most = 0;
+  cv::Point best;
+  cv::minMaxLoc(alike, nullptr, &most, nullptr, &best);
+  const bool inside =
+      best.x > 0 && best.x < alike.cols - 1 && best.y > 0 && best.y < alike.rows - 1;
+  if (!inside || most < kLeastAlike) return std::nullopt;
+  // The maximum of a parabola through three correlations.
+  const double above = alike.at<float>(best.y - 1, best.x);
+  const double below = alike.at<float>(best.y + 1, best.x);
+  const double curvature = above - 2 * most + below;
+  const double rest = curvature < 0 ? std::clamp(0.5 * (above - below) / curvature, -0.5, 0.5) : 0;
+  const cv::Rect near(best - cv::Point(2, 2), cv::Size(5, 5));
+  alike(near & cv::Rect(cv::Point(), alike.size())).setTo(-1);
+  double second = 0;
+  cv::minMaxLoc(alike, nullptr, &second);
+  if (1 - most > kDistinct * (1 - second)) return std::nullopt;
+  return cv::Point2d(corner.x - begin - best.x, best.y - kRows + rest);
 }
 
 }  // namespace
 
-GrayHalf grayHalf(const Image& image) {
-  GrayHalf half{image.width() / 2, image.height() / 2, {}};
-  half.pixels.resize(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
-  const int step = bytesPerPixel(image.format());
-  const int channel = step == 3 ? 1 : 0;
-  std::uint8_t* out = half.pixels.data();
-  for (int r = 0; r < half.height; ++r) {
-    const std::uint8_t* a = image.row(2 * r) + channel;
-    const std::uint8_t* b = image.row(2 * r + 1) + channel;
-    for (int c = 0; c < half.width; ++c, a += 2 * step, b += 2 * step) {
-      *out++ = static_cast<std::uint8_t>((a[0] + a[step] + b[0] + b[step] + 2) / 4);
-    }
-  }
+cv::Mat halfOf(const Image& image) {
+  const cv::Size size(image.width() / 2, image.height() / 2);
+  cv::Mat half;
+  if (size.empty()) return half;
+  cv::Mat grey = asMat(image)(cv::Rect(0, 0, 2 * size.width, 2 * size.height));
+  if (grey.channels() == 3) cv::extractChannel(grey.clone(), grey, 1);
+  cv::resize(grey, half, size, 0, 0, cv::INTER_AREA);
   return half;
 }
 
-double quantile(std::vector<double> values, double share) {
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
-
-StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
+StereoMeasure measureStereo(const cv::Mat& left, const cv::Mat& right) {
   StereoMeasure measure;
-  if (left.width != right.width || left.height != right.height) return measure;
-  const std::vector<Corner> corners = findCorners(left);
-  if (corners.empty()) return measure;
-  measure.corners = static_cast<int>(corners.size());
-  const GrayHalf bright = asBright(left, right);
-  std::vector<double> down, to_left;
+  if (left.size() != right.size()) return measure;
+  std::vector<double> rows;
+  std::vector<double> to_left;
   int exchanged = 0;
-  for (const Corner& corner : corners) {
-    const auto match = findMatch(bright, corner, right);
+  for (const cv::Point& corner : findCorners(left)) {
+    ++measure.corners;
+    const auto match = findMatch(left, corner, right);
     if (!match) continue;
-    down.push_back(2 * match->down);
-    to_left.push_back(2 * match->to_left);
-    exchanged += match->to_left < -1 ? 1 : 0;
+    rows.push_back(2 * match->y);
+    to_left.push_back(2 * match->x);
+    exchanged += match->x < -1 ? 1 : 0;
   }
-  measure.matched = static_cast<int>(down.size());
-  if (down.empty()) return measure;
-  measure.rows = down;
-  measure.rows_low = quantile(down, 0.5);
+  measure.matched = static_cast<int>(rows.size());
+  if (rows.empty()) return measure;
+  measure.rows_low = quantile(rows, 0.5);
   measure.to_left = quantile(to_left, 0.5);
   measure.share_exchanged = static_cast<double>(exchanged) / measure.matched;
-  for (double& d : down) d = std::fabs(d - measure.rows_low);
-  measure.spread = quantile(down, 0.8);
+  for (double& row : rows) row = std::fabs(row - measure.rows_low);
+  measure.spread = quantile(rows, 0.8);
   return measure;
 }
 

@@ -3,13 +3,13 @@
 // that are wrong by a factor, and odometry may mistake faults of images for motion.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tolman/camera.hpp"
+#include "tolman/context.hpp"
 #include "tolman/image.hpp"
 #include "tolman/records.hpp"
 
@@ -28,15 +28,7 @@ bool isNearlyBlack(const Image& image);
 
 /// A grey image with half the width and height: the mean of 2x2 pixels, of the green channel for
 /// colour images.
-struct GrayHalf {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> pixels;
-  const std::uint8_t* row(int r) const {
-    return pixels.data() + std::ptrdiff_t{r} * std::ptrdiff_t{width};
-  }
-};
-GrayHalf grayHalf(const Image& image);
+cv::Mat halfOf(const Image& image);
 
 /// How corners of the left image are found in the right one. In a rectified pair with simultaneous
 /// exposure they are in the same row, further left. Pixels are those of the full images.
@@ -47,11 +39,10 @@ struct StereoMeasure {
   double spread = 0;           ///< 80th percentile of the deviation of that from its median, px
   double to_left = 0;          ///< median disparity, px
   double share_exchanged = 0;  ///< share of the matches that are further right in the right image
-  std::vector<double> rows;    ///< of each match: row in the right image minus row in the left one
 };
 
-/// Deterministic; about 2 ms for images of 1241 x 376 px.
-StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right);
+/// Deterministic; a few ms for images of 1241 x 376 px.
+StereoMeasure measureStereo(const cv::Mat& left, const cv::Mat& right);
 
 enum class StereoFault { None, RowsApart, Exchanged, OtherTime };
 
@@ -61,8 +52,16 @@ StereoFault faultOf(const StereoMeasure& measure);
 /// "the right image is 3.0 px low; are the images rectified?"
 std::string faultText(StereoFault fault, const StereoMeasure& measure);
 
-/// The value that `share` of the values do not exceed; there must be one.
-double quantile(std::vector<double> values, double share);
+/// Detects that every second image has more texture: a projector of dots that is on for every
+/// second pair (`emitter_on_off`), or two exposures. The dots stand still in the camera.
+class Alternation {
+ public:
+  /// The finding, once, with the image that makes it certain.
+  std::optional<Finding> add(const Image& image);
+
+ private:
+  std::vector<double> textures_;
+};
 
 /// Checks the images of each frame before the stages get them: a camera that repeats its last
 /// image, a right image that equals the left one, exchanged images, a right image of another time,
@@ -72,14 +71,12 @@ class FrameCheck {
   /// Call it with each frame, in order. If the images have a fault, both are removed, or only the
   /// right one is made black; `defect` and the result then say why.
   std::optional<std::string> check(Frame& frame);
-  /// How well the rows of the first measured pairs agree; empty if none could be measured.
-  std::string rowsText() const;
 
  private:
   enum class Use { Both, Left, None };
   Use useOf(const Frame& frame, std::string& defect);
   StereoFault stereoFault(const Frame& frame);
-  bool isLate(const StereoMeasure& measure, const GrayHalf& right);
+  bool isLate(const StereoMeasure& measure, const cv::Mat& right);
 
   Image left_;              ///< of the last frame that had images
   Image right_;             ///< likewise
@@ -88,8 +85,7 @@ class FrameCheck {
   int sound_measures_ = 0;  ///< in succession
   StereoFault last_measured_ = StereoFault::None;
   StereoFault fault_ = StereoFault::None;
-  std::string stereo_text_;   ///< of the last measure with that fault
-  std::vector<double> rows_;  ///< right minus left, px, of the first matched corners
+  std::string stereo_text_;  ///< of the last measure with that fault
 };
 
 }  // namespace tolman::engine

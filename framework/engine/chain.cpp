@@ -94,7 +94,6 @@ FrameRecordsPtr Chain::readFrame(const Cancellation& cancellation) {
 
 void Chain::admit(FrameRecords& records) {
   records.sequence = admitted_++;
-  ++place_backlog_;
   if (const auto fault = stages_.odometry.admit(records.frame)) {
     listener_.onEvent({records.frame.frame, LogLevel::Warning, "images", *fault});
   }
@@ -110,16 +109,13 @@ void Chain::odometry(FrameRecords& records) {
 }
 
 void Chain::place(FrameRecords& records) {
-  --place_backlog_;
   if (failed()) return;
   records.place = blankOf<PlaceObservation>(records.frame);
-  if (!records.leave_out_place) {
-    const Motion* motion = place_needs_motion_ ? &records.motion : nullptr;
-    records.place_status = timed(records.times, Role::Place, [&] {
-      return withoutOtherTasks(
-          [&] { return stages_.place.observe(records.frame, motion, records.place); });
-    });
-  }
+  const Motion* motion = place_needs_motion_ ? &records.motion : nullptr;
+  records.place_status = timed(records.times, Role::Place, [&] {
+    return withoutOtherTasks(
+        [&] { return stages_.place.observe(records.frame, motion, records.place); });
+  });
   save(Role::Place, stages_.place.instance(), records);
 }
 
@@ -308,7 +304,6 @@ void Chain::count(const FrameRecords& records) {
                        lost ? "tracking lost; motion is predicted" : "tracking recovered"});
   }
   counters_.lost_at_end = lost;
-  if (records.leave_out_place) ++counters_.place_left_out;
   counters_.templates = std::max(counters_.templates, records.place.template_id + 1);
   if (records.decision.action == Action::CloseLoop) ++counters_.loop_decisions;
 }
@@ -334,10 +329,10 @@ void Chain::publish(FrameRecords& records) {
 
 /// The poses are read from the map again, because a map that rejects a loop link also moves the
 /// frames that were attached to an experience by it.
-Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
+Status Chain::readTrajectory(std::vector<record::FinalPose>& poses) const {
   const std::int64_t last = localised_ ? localised_->firstFrame() - 1 : last_map_.frame;
   for (std::int64_t frame = 0; frame <= last; ++frame) {
-    FramePose pose{frame, Eigen::Isometry3d::Identity()};
+    record::FinalPose pose{frame, Eigen::Isometry3d::Identity()};
     const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
     if (status.isOk()) poses.push_back(pose);
     const bool is_unknown = status.code() == StatusCode::InvalidParameter;  // dropped, for example
@@ -349,11 +344,11 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
 }
 
 /// Checked against the final poses.
-Status Chain::finalGraph(const std::vector<FramePose>& poses, MapGraph& graph) {
+Status Chain::finalGraph(const std::vector<record::FinalPose>& poses, MapGraph& graph) {
   const Status status = stages_.map.graph(graph);
   if (!status.isOk()) return status;
   return stages_.map.checkExperiences(graph, [&](std::int64_t frame) -> const Eigen::Isometry3d* {
-    const auto found = std::ranges::lower_bound(poses, frame, {}, &FramePose::frame);
+    const auto found = std::ranges::lower_bound(poses, frame, {}, &record::FinalPose::frame);
     return found == poses.end() || found->frame != frame ? nullptr : &found->T_world_camera;
   });
 }
@@ -393,7 +388,7 @@ void Chain::finish() {
   if (unanswered_ >= 0) stages_.map.forgetFrom(unanswered_);
   completeCounters();
   const std::vector<MotionRevision> revisions = finishStages();
-  std::vector<FramePose> poses;
+  std::vector<record::FinalPose> poses;
   (void)applyPolicy(readTrajectory(poses), -1, Role::Map);
   if (const Status status = listener_.onTrajectory(poses); !status.isOk()) {
     fail(Role::Observer, status);

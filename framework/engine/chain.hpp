@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/record_rows.hpp"
 #include "config/settings.hpp"
 #include "engine/checked_odometry.hpp"
 #include "engine/failure.hpp"
@@ -24,6 +25,7 @@
 #include "engine/rectified_source.hpp"
 #include "host/guard.hpp"
 #include "host/stages.hpp"
+#include "tolman/context.hpp"
 #include "tolman/records.hpp"
 #include "tolman/roles.hpp"
 #include "tolman/status.hpp"
@@ -42,7 +44,6 @@ struct RunCounters {
   std::int64_t lost = 0;            ///< frames with odometry lost
   std::int64_t nearly_black = 0;    ///< frames without tracking, see isNearlyBlack()
   std::int64_t unmoved = 0;         ///< tracked frames whose motion is exactly zero
-  std::int64_t place_left_out = 0;  ///< realtime: frames without place recognition
   std::int64_t templates = 0;       ///< with those of earlier sessions
   std::int64_t experiences = 0;     ///< of the newest published graph, at the end the final one
   std::int64_t loop_decisions = 0;  ///< Action::CloseLoop, also those that the map rejects later
@@ -62,7 +63,6 @@ struct RunCounters {
     visit("lost", self.lost);
     visit("nearly_black", self.nearly_black);
     visit("unmoved", self.unmoved);
-    visit("place_left_out", self.place_left_out);
     visit("templates", self.templates);
     visit("experiences", self.experiences);
     visit("loop_decisions", self.loop_decisions);
@@ -113,17 +113,16 @@ struct FrameRecords {
   MapUpdate map;
   std::vector<NamedArray> cells;
   MapGraph graph;
-  std::size_t sequence = 0;      ///< consecutive number in the order of dispatch
-  bool graph_changed = false;    ///< `graph` is published with this frame
-  bool leave_out_place = false;  ///< realtime: place recognition is late and skips this frame
-  bool answered = false;         ///< all stages have answered; the listener may get it
+  std::size_t sequence = 0;    ///< consecutive number in the order of dispatch
+  bool graph_changed = false;  ///< `graph` is published with this frame
+  bool answered = false;       ///< all stages have answered; the listener may get it
   Status odometry_status;
   std::vector<std::string> impossible;  ///< what CheckedOdometry replaced or left out
   Status place_status;
   StageTimes times{};
-  std::chrono::nanoseconds exposed{};  ///< realtime: on the clock of PacedFeed; likewise the next
-  std::chrono::steady_clock::time_point posed;  ///< when the map had answered
-  std::unique_ptr<Checkpoint> checkpoint;       ///< null: no checkpoint after this frame
+  std::chrono::steady_clock::time_point exposed;  ///< realtime, by the pace of the stamps
+  std::chrono::steady_clock::time_point posed;    ///< when the map had answered
+  std::unique_ptr<Checkpoint> checkpoint;         ///< null: no checkpoint after this frame
 
   Snapshot snapshot() const {
     return {&frame, &motion, &place, &decision, &map, &cells, graph_changed ? &graph : nullptr,
@@ -133,12 +132,6 @@ struct FrameRecords {
 using FrameRecordsPtr = std::shared_ptr<FrameRecords>;
 
 using Event = RunEvent;
-
-/// The pose that the final map gives a frame.
-struct FramePose {
-  std::int64_t frame = -1;
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-};
 
 /// Receives the frames and events of a run: the recorder and the observers (run_listener.hpp).
 /// Frames come in order, one call at a time, not always from the same thread; events may come from
@@ -156,7 +149,9 @@ class Listener {
   virtual Status onCheckpoint(const Checkpoint& /*checkpoint*/) { return Status::ok(); }
   /// After the last frame and before onFinish(): final poses of all frames, those of earlier
   /// sessions included.
-  virtual Status onTrajectory(const std::vector<FramePose>& /*poses*/) { return Status::ok(); }
+  virtual Status onTrajectory(const std::vector<record::FinalPose>& /*poses*/) {
+    return Status::ok();
+  }
   /// Name of the stage that a failure of these functions is of.
   virtual std::string failedStage() const { return std::string(enumName(Role::Observer)); }
   /// After the last frame, with the final map.
@@ -172,34 +167,6 @@ template <class Call>
 auto withoutOtherTasks(Call&& call) {
   return tbb::this_task_arena::isolate(call);
 }
-
-/// Which stages work at this moment, and since when, ns of the steady clock; 0 while they wait.
-using StageActivity = std::array<std::atomic<std::int64_t>, kRoleNames.size()>;
-
-/// Marks a role as working while this object exists, and then adds that time to `times`.
-class StageTimer {
- public:
-  StageTimer(StageActivity& activity, StageTimes& times, Role role)
-      : since_(activity[static_cast<std::size_t>(role)]),
-        time_(times[static_cast<std::size_t>(role)]),
-        start_(now()) {
-    since_ = start_;
-  }
-  ~StageTimer() {
-    since_ = 0;
-    time_ += now() - start_;
-  }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-
- private:
-  static std::int64_t now() {
-    return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-  }
-  std::atomic<std::int64_t>& since_;
-  std::int64_t& time_;
-  std::int64_t start_;
-};
 
 /// `on_failure` of the stages by role; that of observers is applied by the listener.
 using Policies = std::array<config::FailurePolicy, kRoleNames.size()>;
@@ -272,12 +239,8 @@ class Chain {
   bool placeNeedsMotion() const { return place_needs_motion_; }
   /// Numbers and checks a frame that enters the stages; one call at a time.
   void admit(FrameRecords& records);
-  /// Number of admitted frames that wait for place recognition.
-  int placeBacklog() const { return place_backlog_; }
   /// Time that finish() of each stage took.
   const StageTimes& finishTimes() const { return finish_times_ns_; }
-  /// The stages that are being called at this moment, the source and finish() included.
-  const StageActivity& stageActivity() const { return activity_; }
   /// The next frame of the source; null at its end, after a failure, or when cancelled. Frames that
   /// a source gave before it failed are still processed.
   FrameRecordsPtr readFrame(const Cancellation& cancellation);
@@ -314,13 +277,16 @@ class Chain {
     return status.isOk();
   }
   void completeCounters();
-  Status readTrajectory(std::vector<FramePose>& poses) const;
-  Status finalGraph(const std::vector<FramePose>& poses, MapGraph& graph);
-  /// Calls `work`, marks the role as active during the call, and adds its time to `times`.
+  Status readTrajectory(std::vector<record::FinalPose>& poses) const;
+  Status finalGraph(const std::vector<record::FinalPose>& poses, MapGraph& graph);
+  /// Calls `work`, and adds its time to `times`.
   template <class Work>
-  Status timed(StageTimes& times, Role role, const Work& work) {
-    const StageTimer timer(activity_, times, role);
-    return work();
+  static Status timed(StageTimes& times, Role role, const Work& work) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    Status status = work();
+    times[static_cast<std::size_t>(role)] += (Clock::now() - begin) / std::chrono::nanoseconds(1);
+    return status;
   }
   void save(Role role, host::Instance& instance, FrameRecords& records);
   void saveCellsAndMap(FrameRecords& records);
@@ -332,7 +298,6 @@ class Chain {
   std::optional<LocalisedMap> localised_;
   std::atomic<bool> can_save_;  // false also after a stage has failed to save its state
   RunCounters counters_;
-  StageActivity activity_{};
   StageTimes finish_times_ns_{};
   std::int64_t unanswered_ = -1;  ///< first frame without answers, because a stage failed; -1: none
   std::optional<Failure> failure_;
@@ -347,7 +312,32 @@ class Chain {
   std::int64_t next_graph_frame_ = 0;  // the graph is not published before this frame
   std::size_t mapped_ = 0;             // number of frames that the map has processed
   std::size_t admitted_ = 0;
-  std::atomic<int> place_backlog_ = 0;
 };
+
+// Drives all frames of a source through the stages.
+
+/// Time from the exposure of a frame, by the pace of the stamps since the first frame came, to its
+/// pose in the map, in realtime runs.
+struct Latency {
+  std::int64_t frames = 0;  ///< number of measured frames; 0 in lossless runs
+  double median_ms = 0;
+  double p99_ms = 0;
+};
+
+struct DriveResult {
+  std::optional<Failure> failure;
+  bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
+  RunCounters counters;      ///< also whether odometry was lost at the end
+  StageTimes finish_times_ns{};  ///< time that finish() of each stage took
+  Latency latency{};             ///< of a realtime run
+};
+
+/// The number of threads for a setting `threads` (0: all cores).
+int concurrency(int threads);
+
+/// Processes all frames and finishes all stages. Stages are finished also after a failure or a
+/// cancellation, to keep the results so far. `threads` bounds the parallelism (0: all cores).
+DriveResult drive(Chain& chain, const config::PipelineSettings& options, int threads,
+                  const Cancellation& cancellation);
 
 }  // namespace tolman::engine

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/checked_system.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -44,24 +44,20 @@ void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
 }
 
 /// Appends observers by the ids of their plugins, unless the configuration names them already.
-void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugins) {
+void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugins,
+                  config::Problems& problems) {
   for (const std::string& plugin : plugins) {
-    config::Node* list = loaded.tree.find("observers");
-    const config::Origin origin{config::Origin::Kind::CommandLine, "--view", 0, 0, {}};
-    const auto child = [&](config::Node& parent, config::Node::Kind kind, const std::string& key) {
-      return &parent.children.emplace_back(config::Node{kind, key, origin, origin});
-    };
-    if (list == nullptr) list = child(loaded.tree, config::Node::Kind::Sequence, "observers");
-    if (list->kind == config::Node::Kind::Null) list->kind = config::Node::Kind::Sequence;
-    if (!list->isSequence()) continue;  // parsing reports the problem
-    const bool named = std::ranges::any_of(list->children, [&](const config::Node& stage) {
+    const config::Node none;
+    const config::Node* list = loaded.tree.find("observers");
+    const auto& stages = list == nullptr ? none.children : list->children;
+    const bool named = std::ranges::any_of(stages, [&](const config::Node& stage) {
       const config::Node* id = stage.find("plugin");
       return id != nullptr && id->text == plugin;
     });
     if (named) continue;
-    config::Node* stage =
-        child(*list, config::Node::Kind::Map, std::to_string(list->children.size()));
-    child(*stage, config::Node::Kind::Scalar, "plugin")->text = plugin;
+    config::applyOverrides(loaded.tree,
+                           {fmt::format("observers.{}.plugin={}", stages.size(), plugin)},
+                           config::processEnvironment(), problems);
   }
 }
 
@@ -157,24 +153,15 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
       host::searchPath(plugin_paths, std::getenv("TOLMAN_PLUGIN_PATH"), executable));
 }
 
-std::string findPageObserver(const host::Catalogue& catalogue, const std::string& wanted) {
+std::string findPageObserver(const host::Catalogue& catalogue) {
   std::set<std::string> ids;
   for (const host::Manifest& manifest : catalogue.manifests()) {
     if (manifest.role == Role::Observer && manifest.hasExtra("page")) ids.insert(manifest.id);
   }
-  if (!wanted.empty()) {
-    opening([&] { return catalogue.find(wanted, Role::Observer); });
-    if (ids.contains(wanted)) return wanted;
-  } else if (!ids.empty()) {
-    return *ids.begin();
-  }
-  const host::Refusal none{"plugin/no-page",
-                           wanted.empty() ? "no observer on the search path serves a page"
-                                          : "observer '" + wanted + "' serves no page",
-                           ids.empty()
-                               ? "name the folder of such an observer with --plugin-path"
-                               : fmt::format("observers that do: {}", fmt::join(ids, ", "))};
-  throw Failure(kindOf(none), none.text());
+  if (!ids.empty()) return *ids.begin();
+  const host::Refusal none{"plugin/no-page", "no observer on the search path serves a page",
+                           "name the folder of such an observer with --plugin-path"};
+  throw Failure(FailureKind::Plugin, none.text());
 }
 
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role) {
@@ -210,10 +197,9 @@ CheckedSystem checkSystem(const SystemOptions& options, Scope scope) {
   config::Loaded loaded = config::load(options.config, options.overrides,
                                        config::processEnvironment(), options.find_shipped);
   config::Problems problems = loaded.problems;
-  addObservers(loaded, options.observers);
+  addObservers(loaded, options.observers, problems);
   confine(loaded, scope, problems);
   CheckedSystem checked;
-  checked.notes = loaded.notes;
   checked.config = config::parse(loaded, problems);
   const host::Catalogue catalogue = openCatalogue(options.plugin_paths);
   for (const config::StageConfig& stage : checked.config.stages) {

@@ -17,7 +17,6 @@
 #include "engine/chain.hpp"
 #include "engine/checked_odometry.hpp"
 #include "engine/failure.hpp"
-#include "engine/findings.hpp"
 #include "engine/services.hpp"
 #include "host/instance.hpp"
 #include "host/library.hpp"
@@ -47,10 +46,9 @@ struct SystemOptions {
 /// tree of this program.
 host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);
 
-/// Id of the observer that serves a page of the run, for `--view` and `tolman view`: `wanted`, or
-/// when that is empty the first one by id whose manifest lists the extra `page` (class PageServer
-/// of the SDK). Throws Failure.
-std::string findPageObserver(const host::Catalogue& catalogue, const std::string& wanted = {});
+/// Id of the observer that serves a page of the run, for `--view` and `tolman view`: the first one
+/// by id whose manifest lists the extra `page` (class PageServer of the SDK). Throws Failure.
+std::string findPageObserver(const host::Catalogue& catalogue);
 
 /// Finds one plugin, checks the gate and opens it. Throws Failure.
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role);
@@ -64,7 +62,6 @@ host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
                                 const config::SystemConfig& config);
 
 struct CheckedSystem {
-  std::vector<std::string> notes;  ///< of the configuration
   config::SystemConfig config;
   config::StageValues values;
   std::vector<host::LoadedPlugin> plugins;  ///< parallel to config.stages; without descriptor

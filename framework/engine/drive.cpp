@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/drive.hpp"
-
 #include <oneapi/tbb/flow_graph.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -14,6 +12,8 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+
+#include "engine/chain.hpp"
 
 namespace tolman::engine {
 namespace {
@@ -158,29 +158,17 @@ class PacedFeed {
       auto records = chain_.readFrame(cancellation_);
       if (!records) break;
       const std::int64_t stamp_ns = records->frame.stamp_ns;
-      if (!first_ns) {
-        first_ns = stamp_ns;
-        chooseClock(stamp_ns);
-      }
+      if (!first_ns) first_ns = stamp_ns;
       const double ahead_ns = static_cast<double>(stamp_ns - *first_ns);
       const auto due =
           start + std::chrono::nanoseconds(static_cast<std::int64_t>(ahead_ns / options_.speed));
-      if (clock_ == ExposureClock::Pace) waitUntil(due);  // a live camera has its own pace
-      records->exposed = clock_ == ExposureClock::Pace
-                             ? std::chrono::nanoseconds(due.time_since_epoch())
-                             : std::chrono::nanoseconds(stamp_ns) - ahead_of_steady_;
+      const bool is_live = chain_.stages().source.instance().manifest().hasExtra("live");
+      if (!is_live) waitUntil(due);  // a live camera has its own pace
+      records->exposed = is_live ? Steady::now() : due;
       enqueue(records);
       pump();
     }
     drain();
-  }
-
-  void chooseClock(std::int64_t stamp_ns) {
-    const std::chrono::nanoseconds steady = Steady::now().time_since_epoch();
-    const std::chrono::nanoseconds system = std::chrono::system_clock::now().time_since_epoch();
-    clock_ =
-        exposureClock(chain_.stages().source.isEndless(), stamp_ns, steady.count(), system.count());
-    if (clock_ == ExposureClock::System) ahead_of_steady_ = system - steady;
   }
 
   /// Sleeps in short pieces, so that a cancellation takes effect within 50 ms.
@@ -190,19 +178,15 @@ class PacedFeed {
     }
   }
 
-  /// A full queue drops its oldest frame or the new one, or makes the source wait.
+  /// A full queue drops its oldest frame, or makes the source wait.
   void enqueue(const FrameRecordsPtr& records) {
     const auto capacity = static_cast<std::size_t>(options_.queue);
     std::unique_lock lock(pump_mutex_);
     if (options_.input_policy == config::QueuePolicy::Block) {
       room_.wait(lock, [&] { return queue_.size() < capacity; });
     }
+    queue_.push_back(records);
     FrameRecordsPtr dropped;
-    if (queue_.size() < capacity || options_.input_policy == config::QueuePolicy::DropOldest) {
-      queue_.push_back(records);
-    } else {
-      dropped = records;
-    }
     if (queue_.size() > capacity) {
       dropped = queue_.front();
       queue_.pop_front();
@@ -224,9 +208,7 @@ class PacedFeed {
       queue_.pop_front();
       room_.notify_all();
       ++in_flight_;
-      const bool late = 2 * chain_.placeBacklog() >= options_.queue;  // at least half of it waits
       chain_.admit(*records);
-      records->leave_out_place = late && options_.place_policy == config::PlacePolicy::DropNewest;
       flow_.entry().try_put(records);
     }
   }
@@ -236,8 +218,7 @@ class PacedFeed {
       const std::lock_guard lock(pump_mutex_);
       --in_flight_;
       if (records.answered) {
-        const std::chrono::duration<float, std::milli> took =
-            records.posed.time_since_epoch() - records.exposed;
+        const std::chrono::duration<float, std::milli> took = records.posed - records.exposed;
         latencies_ms_.push_back(took.count());
       }
     }
@@ -253,7 +234,7 @@ class PacedFeed {
       return static_cast<double>(*at);
     };
     const auto frames = static_cast<std::int64_t>(latencies_ms_.size());
-    return {frames, percentile(50), percentile(99), clock_};
+    return {frames, percentile(50), percentile(99)};
   }
 
   void reportDrop(std::int64_t frame) {
@@ -272,22 +253,12 @@ class PacedFeed {
   std::deque<FrameRecordsPtr> queue_;
   int in_flight_ = 0;
   std::vector<float> latencies_ms_;
-  ExposureClock clock_ = ExposureClock::Pace;   // used by the feeder thread; likewise the next
-  std::chrono::nanoseconds ahead_of_steady_{};  // stamps minus steady clock
-  std::int64_t dropped_ = 0;                    // used by the feeder thread until run() ends
+  std::int64_t dropped_ = 0;  // used by the feeder thread until run() ends
 };
 
 }  // namespace
 
 int concurrency(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
-
-ExposureClock exposureClock(bool is_endless, std::int64_t stamp_ns, std::int64_t monotonic_ns,
-                            std::int64_t system_ns) {
-  constexpr std::int64_t kRecent = 5'000'000'000;  // ns
-  const auto recent = [&](std::int64_t now) { return stamp_ns <= now && now - stamp_ns < kRecent; };
-  if (is_endless && recent(monotonic_ns)) return ExposureClock::Monotonic;
-  return is_endless && recent(system_ns) ? ExposureClock::System : ExposureClock::Pace;
-}
 
 DriveResult drive(Chain& chain, const config::PipelineSettings& options, int threads,
                   const Cancellation& cancellation) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The images of a source as the stages get them: rectified, then cropped and scaled down.
+// The images of a source as the stages get them: masked, rectified, cropped and scaled down. OpenCV
+// makes them, with the same bytes for any number of threads.
 #pragma once
 
-#include <cstdint>
+#include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,25 @@
 
 namespace tolman::engine {
 
+/// Parts of the images that do not show the scene, such as the own bonnet or a printed time. Stages
+/// would take them for standing still; they get a smooth continuation of what is around them.
+class ImageMask {
+ public:
+  ImageMask() = default;  ///< leaves images unchanged
+
+  /// Rectangles in the images of `rig`: left, top, width and height of each, px. A failure says
+  /// what is wrong, and what to do.
+  static Result<ImageMask> create(const CameraRig& rig, const std::vector<double>& rectangles);
+
+  bool isEmpty() const { return known_.empty(); }
+  /// A copy in which each masked pixel is the mean of the nearest others, the coarser the farther
+  /// they are. Images of another size are unchanged.
+  Image apply(const Image& image) const;
+
+ private:
+  cv::Mat known_;  ///< 0 where the scene is hidden, else 255
+};
+
 /// Makes the rectified image from a raw one. The positions in the raw image from which the pixels
 /// are interpolated are computed once.
 class PixelMap {
@@ -20,57 +40,18 @@ class PixelMap {
   PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
            const CameraRig& rectified);
 
-  /// Bilinear, in steps of 1/64 px; black where the raw image shows nothing. Rows are computed in
-  /// parallel; the bytes are the same for any number of threads and any processor. For a raw image
-  /// of another size than the map's the result is empty.
+  /// Bilinear, in steps of 1/32 px; black where the raw image shows nothing. For a raw image of
+  /// another size than the map's the result is empty.
   Image apply(const Image& raw) const;
   /// The same for an array with a value per pixel, with the shape (rows, columns) of raw images:
   /// the nearest value, 0 where there is none. Other arrays are unchanged.
   void apply(NamedArray& values) const;
 
  private:
-  /// The raw pixel above and left of a position.
-  struct RawPixel {
-    std::uint16_t x = 0;
-    std::uint16_t y = 0;
-  };
-  static constexpr std::uint8_t kNowhere = 255;
-
-  std::size_t firstOf(int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
-  }
-  template <int Channels>
-  void interpolateRow(const Image& raw, int row, std::uint8_t* out) const;
-
-  int raw_width_;
-  int raw_height_;
-  int width_;
-  int height_;
-  std::vector<RawPixel> pixels_;     ///< row by row; likewise the next two
-  std::vector<std::uint8_t> right_;  ///< share of the pixels to the right, in 1/64; or kNowhere
-  std::vector<std::uint8_t> below_;  ///< share of the pixels below, likewise
-};
-
-/// Weights of the pixels that each new pixel covers, along one axis.
-class PixelMeans {
- public:
-  PixelMeans() = default;
-  PixelMeans(int from, int to);
-
-  struct Span {
-    int first = 0;            ///< first covered pixel
-    std::size_t weights = 0;  ///< index of its weight
-    int count = 0;            ///< number of covered pixels
-  };
-  const Span& spanOf(int i) const { return spans_[static_cast<std::size_t>(i)]; }
-  std::uint32_t weight(std::size_t i) const { return weights_[i]; }
-  int size() const { return static_cast<int>(spans_.size()); }
-
-  static constexpr int kBits = 11;  ///< the weights of a new pixel add up to 2^kBits
-
- private:
-  std::vector<Span> spans_;
-  std::vector<std::uint32_t> weights_;
+  cv::Size raw_size_;
+  cv::Mat pixels_;   ///< the raw pixel above and left of each position
+  cv::Mat shares_;   ///< of the pixels to the right and below, as cv::convertMaps() codes them
+  cv::Mat nearest_;  ///< raw pixels
 };
 
 /// Crops and scales down images, and adapts their calibration.
@@ -90,7 +71,7 @@ class ImageCut {
   std::string text() const;
 
   /// An image of the old size, cropped (without a copy), then scaled: each pixel is the mean of the
-  /// area that it covers. The same bytes for any number of threads. Empty images stay empty.
+  /// area that it covers. Empty images stay empty.
   Image apply(const Image& image) const;
   /// The same for an array with a value per pixel, with the shape (rows, columns) of the images;
   /// other arrays are unchanged. It takes the value at the centre: a mean over an edge of depth
@@ -98,15 +79,12 @@ class ImageCut {
   void apply(NamedArray& values) const;
 
  private:
+  bool isScaled() const { return rig_.width != part_.width || rig_.height != part_.height; }
+
   bool is_whole_ = true;
   CameraRig old_;
   CameraRig rig_;
-  int left_ = 0;  ///< px of the old images; likewise the next three
-  int top_ = 0;
-  int width_ = 0;
-  int height_ = 0;
-  PixelMeans columns_;
-  PixelMeans rows_;
+  cv::Rect part_;  ///< of the old images
 };
 
 }  // namespace tolman::engine

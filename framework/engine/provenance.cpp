@@ -2,8 +2,6 @@
 #include "engine/provenance.hpp"
 
 #include <fmt/chrono.h>
-#include <gnu/libc-version.h>
-#include <link.h>
 #include <sqlite3.h>
 #include <sys/utsname.h>
 
@@ -20,7 +18,6 @@
 #include "engine/build_info.hpp"
 #include "engine/checked_system.hpp"
 #include "engine/run.hpp"
-#include "record/data_digest.hpp"
 #include "record/digest.hpp"
 #include "tolman/version.hpp"
 
@@ -29,24 +26,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The first entry with this name in /proc/cpuinfo.
-std::string processorEntry(std::string_view name) {
+std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
     const auto colon = line.find(": ");
-    if (line.starts_with(name) && colon != std::string::npos) return line.substr(colon + 2);
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
-}
-
-/// Features by which libraries choose their implementations, whose results may differ.
-Json processorFeatures() {
-  Json features = Json::array();
-  const std::string flags = " " + processorEntry("flags") + " ";
-  for (const std::string feature : {"sse4_2", "avx", "fma", "avx2", "avx512f", "avx512vl"}) {
-    if (flags.find(" " + feature + " ") != std::string::npos) features.push_back(feature);
-  }
-  return features;
 }
 
 /// The input data with their digests. Above kMaxDigested bytes contents are not digested, because
@@ -65,21 +51,6 @@ Json dataList(const CheckedSystem& system) {
     if (!data.sha256.empty()) list.back()["sha256"] = data.sha256;
   }
   return list;
-}
-
-/// Adds a library that this process has loaded if it may decide the digits of a result: its file,
-/// whose name has the version, without links.
-int addLibrary(dl_phdr_info* library, std::size_t, void* libraries) {
-  const std::filesystem::path file = library->dlpi_name;
-  for (const std::string name :
-       {"opencv_core", "ceres", "cholmod", "blas", "lapack", "tbb", "embree3", "jpeg", "avcodec"}) {
-    if (!file.filename().string().starts_with("lib" + name + ".so")) continue;
-    std::error_code error;
-    const auto resolved = std::filesystem::canonical(file, error);
-    (*static_cast<std::map<std::string, std::string>*>(libraries))[name] =
-        (error ? file : resolved).string();
-  }
-  return 0;
 }
 
 /// The digests of the files of the plugin with this role, by file.
@@ -108,8 +79,7 @@ Json machine() {
   ::uname(&system);
   return {{"host", system.nodename},
           {"system", std::string(system.sysname) + " " + system.release},
-          {"processor", processorEntry("model name")},
-          {"features", processorFeatures()},
+          {"processor", processor()},
           {"cores", std::thread::hardware_concurrency()}};
 }
 
@@ -177,14 +147,10 @@ Json provenance(const Assembly& assembly, const std::vector<std::string>& comman
                     {"sdk", TOLMAN_SDK_VERSION},
                     {"fingerprint", TOLMAN_FINGERPRINT},
                     {"sha256", digestOf("/proc/self/exe")}};
-  json["libraries"] = {{"libc", ::gnu_get_libc_version()},
-                       {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+  json["libraries"] = {{"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
                                              EIGEN_MINOR_VERSION)},
-                       {"sqlite", ::sqlite3_libversion()},
-                       {"fmt", FMT_VERSION}};
-  std::map<std::string, std::string> libraries;
-  ::dl_iterate_phdr(addLibrary, &libraries);
-  for (const auto& [name, file] : libraries) json["libraries"][name] = file;
+                       {"opencv", host::HostIdentity::ofThisBuild().opencv},
+                       {"sqlite", ::sqlite3_libversion()}};
   json["machine"] = machine();
   json["source"] = sourceJson(assembly);
   json["plugins"] = pluginList(system);
@@ -229,17 +195,6 @@ std::vector<std::string> changedInputs(const Json& before, const Json& now) {
   return changed;
 }
 
-std::string newRunId(Json run_file, bool is_realtime) {
-  if (is_realtime) {
-    run_file["time_ns"] = std::chrono::system_clock::now().time_since_epoch().count();
-  } else {
-    for (const char* key : {"started", "command_line", "machine"}) run_file.erase(key);
-  }
-  constexpr std::size_t kDigits = 32;
-  const std::string text = config::jsonText(run_file);
-  return record::textDigest(text).substr(0, kDigits);
-}
-
 Json countersJson(const RunCounters& counters) {
   Json json = Json::object();
   RunCounters::visit(counters, [&](const char* name, const auto& value) { json[name] = value; });
@@ -263,10 +218,8 @@ void addOutcome(Json& json, const Outcome& outcome) {
   json["finish_s"] = finish;
   const Latency& latency = outcome.latency;
   if (latency.frames == 0) return;
-  json["latency"] = {{"frames", latency.frames},
-                     {"median_ms", latency.median_ms},
-                     {"p99_ms", latency.p99_ms},
-                     {"exposure", enumName(latency.clock)}};
+  json["latency"] = {
+      {"frames", latency.frames}, {"median_ms", latency.median_ms}, {"p99_ms", latency.p99_ms}};
 }
 
 }  // namespace tolman::engine

@@ -44,9 +44,4 @@ inline nlohmann::ordered_json valueJson(const ParameterValue& value) {
 std::int64_t utcSeconds();
 std::string utcText(std::int64_t seconds);
 
-/// The id of a run with this run file: a digest of program, plugins, data and configuration, so
-/// that runs that give the same results have the same id. A realtime run depends on the clock, and
-/// has an id of its own.
-std::string newRunId(nlohmann::ordered_json run_file, bool is_realtime);
-
 }  // namespace tolman::engine

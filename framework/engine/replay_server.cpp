@@ -107,7 +107,7 @@ ParameterValues ReplayServer::parametersOf(const Schema& schema, bool running) c
 void ReplayServer::openObserver(bool running) {
   const host::Catalogue catalogue = openCatalogue(options_.plugin_paths);
   const host::LoadedPlugin plugin =
-      loadFrom(catalogue, findPageObserver(catalogue, options_.viewer), Role::Observer);
+      loadFrom(catalogue, findPageObserver(catalogue), Role::Observer);
   auto instance = opening([&] { return host::Instance::create(plugin, "viewer"); });
   values_ = parametersOf(plugin.schema, running);
   const Context context{values_, logger_, findings_, artefacts_, cancellation_,

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "engine/checked_system.hpp"
-#include "engine/findings.hpp"
-#include "record/replay.hpp"
+#include "engine/services.hpp"
+#include "record/run_reader.hpp"
 
 namespace tolman::engine {
 
@@ -43,7 +43,6 @@ class RecordedImages {
 
 struct ReplayOptions {
   std::filesystem::path run;  ///< run directory
-  std::string viewer;         ///< id of the observer; empty: the first that serves a page
   int port = -1;              ///< -1: the plugin's own default
   std::string bind;           ///< empty: the plugin's own default
   bool images = true;         ///< read the images again from the source of the run

@@ -113,10 +113,7 @@ Parts partsOf(const fs::path& run) {
   return parts;
 }
 
-std::string lastParts(const Parts& parts, std::size_t count) {
-  const auto begin = parts.end() - static_cast<std::ptrdiff_t>(std::min(count, parts.size()));
-  return fmt::format("{}", fmt::join(begin, parts.end(), "-"));
-}
+std::string joined(const Parts& parts) { return fmt::format("{}", fmt::join(parts, "-")); }
 
 }  // namespace
 
@@ -152,30 +149,30 @@ Result<Results> writeResults(const std::filesystem::path& directory,
 
 std::vector<std::string> distinctNames(const std::vector<fs::path>& runs) {
   std::vector<Parts> paths;
-  std::size_t longest = 0;
-  for (const fs::path& run : runs) {
-    paths.push_back(partsOf(run));
-    longest = std::max(longest, paths.back().size());
-  }
-  const std::size_t different = std::set<Parts>(paths.begin(), paths.end()).size();
-  const auto have_same_end = [&] {
-    return std::ranges::all_of(paths, [&](const Parts& parts) {
-      return parts.size() > 1 && parts.back() == paths.front().back();
-    });
+  for (const fs::path& run : runs) paths.push_back(partsOf(run));
+  const std::set<Parts> different(paths.begin(), paths.end());
+  const auto share = [&](const auto& partOf) {
+    return different.size() > 1 && std::ranges::all_of(paths, [&](const Parts& parts) {
+             return parts.size() > 1 && partOf(parts) == partOf(paths.front());
+           });
   };
-  while (different > 1 && have_same_end()) {
+  while (share([](const Parts& parts) { return parts.back(); })) {
     for (Parts& parts : paths) parts.pop_back();
   }
-  std::vector<std::string> names(runs.size());
-  for (std::size_t count = 1; count <= std::max<std::size_t>(longest, 1); ++count) {
-    std::ranges::transform(paths, names.begin(),
-                           [&](const Parts& parts) { return lastParts(parts, count); });
-    if (std::set<std::string>(names.begin(), names.end()).size() == different) break;
+  std::set<std::string> last;
+  for (const Parts& parts : paths) last.insert(parts.empty() ? "" : parts.back());
+  const bool is_enough = last.size() == different.size();
+  while (!is_enough && share([](const Parts& parts) { return parts.front(); })) {
+    for (Parts& parts : paths) parts.erase(parts.begin());
   }
+  std::vector<std::string> names;
   std::set<std::string> taken;
-  for (std::string& name : names) {
-    const std::string first = name;
-    for (int i = 2; !taken.insert(name).second; ++i) name = first + "-" + std::to_string(i);
+  for (const Parts& parts : paths) {
+    const std::string first = !is_enough ? joined(parts) : parts.empty() ? "" : parts.back();
+    names.push_back(first);
+    for (int i = 2; !taken.insert(names.back()).second; ++i) {
+      names.back() = first + "-" + std::to_string(i);
+    }
   }
   return names;
 }

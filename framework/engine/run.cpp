@@ -17,7 +17,6 @@
 #include "engine/saved_state.hpp"
 #include "host/guard.hpp"
 #include "record/atomic_file.hpp"
-#include "record/data_digest.hpp"
 #include "record/digest.hpp"
 #include "record/run_directory.hpp"
 
@@ -78,7 +77,6 @@ Outcome Run::execute(CheckedSystem system) {
 
 void Run::prepare(CheckedSystem system) {
   inputs_ = inputPaths(system).present;
-  const std::vector<std::string> notes = std::move(system.notes);
   checkOut(system.config.general.earlier());
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
@@ -89,7 +87,6 @@ void Run::prepare(CheckedSystem system) {
   continueEarlierRun();
   openDirectory();
   openRecord();
-  for (const std::string& note : notes) log_.write(LogLevel::Warning, "config", note);
 }
 
 /// Refuses a directory that cannot be taken, or contains data of the run (replacing an earlier run
@@ -176,8 +173,8 @@ void Run::reopenRecord(RunJson before, RunJson now) {
   require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
   assembly_->openArtefacts(directory_->path());
   run_file_ = std::move(now);
-  for (const char* kept : {record::kRunIdKey, "started", "command_line", record::kConfigDigest,
-                           "continued", "resumed"}) {
+  for (const char* kept :
+       {"started", "command_line", record::kConfigDigest, "continued", "resumed"}) {
     if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
   }
   if (!run_file_["resumed"].is_array()) run_file_["resumed"] = RunJson::array();
@@ -258,12 +255,8 @@ void Run::openRecord() {
   const std::string yaml = config::resolvedYaml(config(), assembly_->system().values);
   require(record::writeAtomically(resolved, yaml), FailureKind::Record);
   run_file_[record::kConfigDigest] = require(record::fileDigest(resolved), FailureKind::Record);
-  const bool is_realtime = config().pipeline.mode == config::PipelineMode::Realtime;
-  run_file_[record::kRunIdKey] = newRunId(run_file_, is_realtime);
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
-  recorder_ =
-      require(record::Recorder::open(directory_->path(), run_file_.value(record::kRunIdKey, "")),
-              FailureKind::Record);
+  recorder_ = require(record::Recorder::open(directory_->path()), FailureKind::Record);
   recordSessions();
   require(recorder_->meta("name", config().general.name), FailureKind::Record);
   if (localises()) {
@@ -294,8 +287,6 @@ void Run::drive(Outcome& outcome) {
       {config().general.name, directory_->path().string(), assembly_->sourceInfo(), arrays_});
   if (begun.isOk() && resume_) begun = listener.showRecorded();
   if (!begun.isOk()) chain.fail(Role::Observer, begun);
-  Watchdog watchdog(chain.stageActivity(), clock_, watchdogSettings(listener));
-  watchdog.start();
   static_cast<DriveResult&>(outcome) =
       engine::drive(chain, config().pipeline, config().general.threads, stop_);
   const std::optional<Failure> unsaved = saveState(outcome, listener);
@@ -305,9 +296,9 @@ void Run::drive(Outcome& outcome) {
   warnOfSource(outcome, listener);
   listener.reportRepeated();
   // The first that is one is the failure of the run.
-  const std::optional<Failure> failures[] = {
-      recordFailure(listener.recordStatus()), recordFailure(recorder_->close()), failureOf(outcome),
-      unsaved, outcome.interrupted ? stop_.reason() : std::nullopt};
+  const std::optional<Failure> failures[] = {recordFailure(listener.recordStatus()),
+                                             recordFailure(recorder_->close()), failureOf(outcome),
+                                             unsaved};
   outcome.failure.reset();
   for (const auto& failure : failures) {
     if (!outcome.failure) outcome.failure = failure;
@@ -331,20 +322,6 @@ void Run::warnOfSource(const DriveResult& result, RunListener& listener) {
   const std::int64_t given = result.counters.frames + result.counters.dropped;
   if (known < 0 || given == known) return;
   warn(fmt::format("gave {} frames, and had announced {}", given, known));
-}
-
-WatchdogSettings Run::watchdogSettings(RunListener& listener) {
-  WatchdogSettings settings;
-  settings.deadline_s = config().pipeline.stage_deadline;
-  settings.disk_left = [&] { return diskLeft(directory_->path()); };
-  settings.disk_needed = [&] { return diskNeeded(directory_->path()); };
-  settings.report = [&](LogLevel level, std::string_view source, const std::string& text) {
-    listener.onEvent({-1, level, std::string(source), text});
-  };
-  settings.stop = [&](const std::string& why) {
-    stop_.stop({FailureKind::Record, directory_->path().string() + ": " + why});
-  };
-  return settings;
 }
 
 std::optional<Failure> Run::failureOf(const DriveResult& result) {

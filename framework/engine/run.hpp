@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/chain.hpp"
 #include "engine/checked_system.hpp"
-#include "engine/drive.hpp"
 #include "engine/run_listener.hpp"
 #include "evaluation/metrics.hpp"
 #include "record/recorder.hpp"
@@ -70,7 +70,6 @@ class Run {
 
   void drive(Outcome& outcome);
   void warnOfSource(const DriveResult& result, RunListener& listener);
-  WatchdogSettings watchdogSettings(RunListener& listener);
   std::optional<Failure> failureOf(const DriveResult& result);
   std::optional<Failure> saveState(const DriveResult& result, RunListener& listener);
 
@@ -81,7 +80,7 @@ class Run {
 
   RunLog& log_;
   const Clock& clock_;
-  StopRequest stop_;
+  const Cancellation& stop_;
   RunOptions options_;
   std::unique_ptr<Assembly> assembly_;
   std::vector<std::string> inputs_;             ///< paths that the run reads

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What watches a run: the listener, which passes its frames and events to the recorder, the log and
-// the observers, and the watchdog.
+// Passes the frames and events of a run to the recorder, the log and the observers.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "engine/chain.hpp"
@@ -20,48 +15,6 @@
 #include "tolman/context.hpp"
 
 namespace tolman::engine {
-
-/// Bytes that an unprivileged user may still write below `directory`; -1 if not known.
-std::int64_t diskLeft(const std::filesystem::path& directory);
-
-/// Bytes that the run in `directory` needs for its end: the log of the record is merged into
-/// run.sqlite, a state is saved, and results, figures and report are written.
-std::int64_t diskNeeded(const std::filesystem::path& directory);
-
-struct WatchdogSettings {
-  double deadline_s = 0;  ///< of one call of a stage; 0: none
-  std::function<std::int64_t()> disk_left;
-  std::function<std::int64_t()> disk_needed;
-  // Called from the watchdog's thread.
-  std::function<void(LogLevel, std::string_view source, const std::string& text)> report;
-  std::function<void(const std::string& why)> stop;  ///< called at most once
-};
-
-/// Reports a stage once when a call takes longer than the deadline, and again when it has answered.
-/// Asks the run to stop when the disk has no more than the run needs for its end. Returns freed
-/// memory to the system: long-lived data of map and record are between freed image buffers, whose
-/// pages glibc keeps, and without this the process grows twice as fast as its data.
-class Watchdog {
- public:
-  Watchdog(const StageActivity& activity, const Clock& clock, WatchdogSettings settings)
-      : activity_(activity), clock_(clock), settings_(std::move(settings)) {}
-
-  /// Makes one check. start() makes one each second.
-  void look();
-  void start();
-
- private:
-  void lookAt(Role role);
-  void lookAtDisk();
-
-  const StageActivity& activity_;
-  const Clock& clock_;
-  WatchdogSettings settings_;
-  std::array<std::int64_t, kRoleNames.size()> reported_{};  ///< StageActivity of the call
-  int looks_ = 0;
-  bool stopped_ = false;
-  std::jthread thread_;  // last, because it uses the members above
-};
 
 class RunListener : public Listener {
  public:
@@ -77,7 +30,7 @@ class RunListener : public Listener {
   /// True every `record.state_every` seconds.
   bool checkpointDue() override;
   Status onCheckpoint(const Checkpoint& checkpoint) override;
-  Status onTrajectory(const std::vector<FramePose>& poses) override;
+  Status onTrajectory(const std::vector<record::FinalPose>& poses) override;
   Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
 
   /// Records the new findings of the stages, and reports those of a new kind.
@@ -111,6 +64,7 @@ class RunListener : public Listener {
   const Clock& clock_;
   config::RecordSettings settings_;
   std::int64_t last_checkpoint_ns_;  ///< time at which the last one was due
+  std::int64_t trimmed_ns_;          ///< time at which freed memory was returned
   std::int64_t last_recorded_ = -1;  ///< frame
   std::int64_t repeated_ = -1;       ///< the last frame that a resumed run repeats
   Status record_status_;

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "engine/drive.hpp"
-#include "host/scratch_folder.hpp"
+#include "engine/chain.hpp"
+#include "host/child_process.hpp"
 
 namespace tolman::experiment {
 

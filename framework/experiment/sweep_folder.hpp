@@ -20,7 +20,7 @@
 #include "config/loader.hpp"
 #include "engine/run.hpp"
 #include "experiment/sweep_file.hpp"
-#include "record/data_digest.hpp"
+#include "record/digest.hpp"
 #include "tolman/context.hpp"
 #include "tolman/status.hpp"
 

@@ -33,11 +33,6 @@ std::optional<Refusal> checkGate(const Manifest& manifest, const HostIdentity& h
 /// value, and defaults that are outside of their range or choices.
 void checkSchema(const Manifest& manifest, const Schema& schema);
 
-/// Files of the libraries that `library`, which must be open in this process, is linked with,
-/// directly or by one of them, sorted. Those in the folders of the system are left out, because
-/// packages own them. Libraries that a plugin opens itself by dlopen() are not known.
-std::vector<std::string> ownLibraries(const std::filesystem::path& library);
-
 /// A plugin whose library is open.
 struct LoadedPlugin {
   Manifest manifest;
@@ -49,8 +44,7 @@ struct LoadedPlugin {
 /// Checks the gate, opens the library (all symbols resolved, none exported to others), calls the
 /// entry function and reads the schema. The library stays loaded, because inline statics,
 /// thread-local variables and exceptions make unloading C++ code unsafe. Refusals: those of
-/// checkGate(), checkSchema(), plugin/load-failed, plugin/library-conflict (one that it is linked
-/// with would be another of that name, which is open already), plugin/entry-missing,
+/// checkGate(), checkSchema(), plugin/load-failed, plugin/library-conflict, plugin/entry-missing,
 /// plugin/entry-failed, plugin/stale-manifest. The manifest of a program gets its role, version and
 /// summary; plugin/program if it cannot be opened.
 LoadedPlugin loadPlugin(const Manifest& manifest, const HostIdentity& host);

@@ -15,7 +15,6 @@
 #include <sstream>
 #include <thread>
 
-#include "host/channel.hpp"
 #include "host/child_process.hpp"
 #include "host/instance.hpp"
 #include "host/library.hpp"
@@ -203,7 +202,7 @@ class Requests : public Cancellation {
 class PluginProcess {
  public:
   PluginProcess(int descriptor, const ProcessServices& services)
-      : socket_(Descriptor(descriptor)),
+      : socket_(FileDescriptor(descriptor)),
         requests_(socket_),
         services_(services),
         log_(socket_),

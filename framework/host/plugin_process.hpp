@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/codec.hpp"
-#include "host/channel.hpp"
+#include "host/child_process.hpp"
 #include "host/guard.hpp"
 #include "tolman/context.hpp"
 #include "tolman/plugin.hpp"

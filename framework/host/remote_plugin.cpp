@@ -9,7 +9,7 @@
 #include <new>
 #include <utility>
 
-#include "host/channel.hpp"
+#include "host/child_process.hpp"
 
 namespace tolman::host {
 
@@ -27,7 +27,7 @@ constexpr int kDeadlineSignal = SIGUSR2;
 }  // namespace
 
 ProcessHandle::ProcessHandle(LaunchOptions launch)
-    : launch_(std::move(launch)), socket_(Descriptor()) {
+    : launch_(std::move(launch)), socket_(FileDescriptor()) {
   auto [ours, theirs] = Socket::pair();
   std::vector<std::string> command = launch_.command;
   command.push_back(std::to_string(theirs.descriptor()));
@@ -217,7 +217,7 @@ Status RemotePlugin::configure(const Context& context) {
   cancellation_ = &context.cancellation;
   process_->connect(log_, findings_, cancellation_);
   const ContextMessage message = ContextMessage::of(context);
-  return call(Call::Configure, std::tie(message), std::tuple<>());
+  return call(Call::Configure, message);
 }
 
 Status RemotePlugin::exchange(Call call, const ProcessHandle::Write& write,
@@ -304,7 +304,7 @@ bool RemotePlugin::canRestart() const { return restart_enabled_ && restarts_ < k
 Status RemotePlugin::destroy() {
   if (process_->hasEnded()) return Status::ok();  // already reported
   restart_enabled_ = false;
-  return call(Call::Destroy, std::tuple<>(), std::tuple<>());
+  return call(Call::Destroy);
 }
 
 }  // namespace tolman::host

@@ -8,11 +8,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "base/codec.hpp"
-#include "host/channel.hpp"
 #include "host/child_process.hpp"
 #include "host/instance.hpp"
 #include "tolman/context.hpp"
@@ -93,12 +91,18 @@ class RemotePlugin {
   bool takeStateLoss() { return std::exchange(state_lost_, false); }
 
   Status configure(const Context& context);
-  template <class... I, class... O>
-  Status call(Call call, std::tuple<const I&...> in, std::tuple<O&...> out) {
+  /// Sends the values that are const, and receives the others.
+  template <class... T>
+  Status call(Call call, T&... values) {
+    const auto put = [](Encoder& encoder, const auto& value, bool is_sent) {
+      if (is_sent) encoder.put(value);
+    };
+    const auto get = []<class V>(Decoder& decoder, V& value) {
+      if constexpr (!std::is_const_v<V>) decoder.get(value);
+    };
     return exchange(
-        call,
-        [&](Encoder& encoder) { std::apply([&](const auto&... v) { encoder.putAll(v...); }, in); },
-        [&](Decoder& decoder) { std::apply([&](auto&... v) { decoder.getAll(v...); }, out); });
+        call, [&](Encoder& encoder) { (put(encoder, values, std::is_const_v<T>), ...); },
+        [&](Decoder& decoder) { (get(decoder, values), ...); });
   }
   /// Destroys the plugin's object. The destructor of this class ends the process.
   Status destroy();

@@ -12,8 +12,6 @@
 namespace tolman::host {
 namespace {
 
-const auto kNone = std::tuple<>();
-
 /// The calls that all roles have.
 template <class RoleType>
 class RemoteRole : public RoleType,
@@ -26,42 +24,42 @@ class RemoteRole : public RoleType,
   explicit RemoteRole(std::shared_ptr<RemotePlugin> remote) : remote_(std::move(remote)) {}
 
   Status configure(const Context& context) override { return remote_->configure(context); }
-  Status reset() override { return remote_->call(Call::Reset, kNone, std::tuple<>()); }
+  Status reset() override { return ask(Call::Reset); }
 
   void arrays(std::vector<NamedArray>& arrays) const override {
-    const Status status = remote_->call(Call::Arrays, kNone, std::tie(arrays));
+    const Status status = ask(Call::Arrays, arrays);
     if (!status.isOk()) throw std::runtime_error(status.message());
   }
   Status describe(std::vector<ArrayInfo>& arrays) const override {
     std::vector<ArrayInfo> described;
-    const Status status = remote_->call(Call::Describe, kNone, std::tie(described));
+    const Status status = ask(Call::Describe, described);
     arrays.insert(arrays.end(), described.begin(), described.end());
     return status;
   }
   std::string url() const override {
     std::string url;
-    const Status status = remote_->call(Call::Url, kNone, std::tie(url));
+    const Status status = ask(Call::Url, url);
     if (!status.isOk()) throw std::runtime_error(status.message());
     return url;
   }
-  Status rawRig(RawRig& rig) override { return remote_->call(Call::RawRig, kNone, std::tie(rig)); }
+  Status rawRig(RawRig& rig) override { return ask(Call::RawRig, rig); }
   Status save(std::ostream& stream) const override {
     std::string bytes;
-    const Status status = remote_->call(Call::Save, kNone, std::tie(bytes));
+    const Status status = ask(Call::Save, bytes);
     if (status.isOk()) stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return status;
   }
   Status load(std::istream& stream) override {
     const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-    return remote_->call(Call::Restore, std::tie(bytes), std::tuple<>());
+    return ask(Call::Restore, bytes);
   }
 
   RemotePlugin& remote() { return *remote_; }
 
  protected:
-  template <class... I, class... O>
-  Status ask(Call call, std::tuple<const I&...> in, std::tuple<O&...> out) const {
-    return remote_->call(call, in, out);
+  template <class... T>
+  Status ask(Call call, T&... values) const {
+    return remote_->call(call, values...);
   }
   std::shared_ptr<RemotePlugin> remote_;
 };
@@ -69,8 +67,8 @@ class RemoteRole : public RoleType,
 class RemoteSource final : public RemoteRole<Source> {
  public:
   using RemoteRole::RemoteRole;
-  Status info(SourceInfo& info) override { return ask(Call::Info, kNone, std::tie(info)); }
-  Status next(Frame& frame) override { return ask(Call::Next, kNone, std::tie(frame)); }
+  Status info(SourceInfo& info) override { return ask(Call::Info, info); }
+  Status next(Frame& frame) override { return ask(Call::Next, frame); }
 };
 
 class RemoteOdometry final : public RemoteRole<Odometry> {
@@ -79,13 +77,13 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
   /// A new process without the state of the last one begins anew: until it finds a motion, those
   /// frames fail and the engine predicts them, instead of recording that the camera stood.
   Status track(const Frame& frame, Motion& motion) override {
-    const Status status = ask(Call::Track, std::tie(frame), std::tie(motion));
+    const Status status = ask(Call::Track, frame, motion);
     if (!status.isOk()) return status;
     begins_ = (begins_ || remote_->takeStateLoss()) && motion.state == TrackingState::Initialising;
     return begins_ ? Status::failed("was restarted and has found no motion yet") : status;
   }
   Status finish(std::vector<MotionRevision>& revisions) override {
-    return ask(Call::FinishOdometry, kNone, std::tie(revisions));
+    return ask(Call::FinishOdometry, revisions);
   }
 
  private:
@@ -97,18 +95,15 @@ class RemotePlace final : public RemoteRole<Place> {
   using RemoteRole::RemoteRole;
   PlaceInput input() const override {
     PlaceInput input = PlaceInput::Frame;
-    const Status status = ask(Call::Input, kNone, std::tie(input));
+    const Status status = ask(Call::Input, input);
     if (!status.isOk()) throw std::runtime_error(status.message());
     return input;
   }
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override {
-    std::optional<Motion> given;
-    if (motion != nullptr) given = *motion;
-    return remote_->call(Call::Observe,
-                         std::tuple<const Frame&, const std::optional<Motion>&>(frame, given),
-                         std::tie(observation));
+    const auto given = motion == nullptr ? std::nullopt : std::optional(*motion);
+    return ask(Call::Observe, frame, given, observation);
   }
-  Status finish() override { return ask(Call::FinishPlace, kNone, std::tuple<>()); }
+  Status finish() override { return ask(Call::FinishPlace); }
 };
 
 class RemoteCells final : public RemoteRole<Cells> {
@@ -116,46 +111,38 @@ class RemoteCells final : public RemoteRole<Cells> {
   using RemoteRole::RemoteRole;
   Status step(const Motion& motion, const PlaceObservation& observation,
               Decision& decision) override {
-    return ask(Call::Step, std::tie(motion, observation), std::tie(decision));
+    return ask(Call::Step, motion, observation, decision);
   }
-  Status finish() override { return ask(Call::FinishCells, kNone, std::tuple<>()); }
+  Status finish() override { return ask(Call::FinishCells); }
 };
 
 class RemoteMap final : public RemoteRole<Map> {
  public:
   using RemoteRole::RemoteRole;
   Status update(const Motion& motion, const Decision& decision, MapUpdate& update) override {
-    return ask(Call::Update, std::tie(motion, decision), std::tie(update));
+    return ask(Call::Update, motion, decision, update);
   }
   Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const override {
-    return remote_->call(Call::PoseOf, std::tuple<const std::int64_t&>(frame),
-                         std::tie(T_world_camera));
+    const std::int64_t asked = frame;
+    return ask(Call::PoseOf, asked, T_world_camera);
   }
-  Status graph(MapGraph& graph) const override { return ask(Call::Graph, kNone, std::tie(graph)); }
+  Status graph(MapGraph& graph) const override { return ask(Call::Graph, graph); }
   Status finish(const std::vector<MotionRevision>& revisions) override {
-    return ask(Call::FinishMap, std::tie(revisions), std::tuple<>());
+    return ask(Call::FinishMap, revisions);
   }
 };
 
 class RemoteObserver final : public RemoteRole<Observer> {
  public:
   using RemoteRole::RemoteRole;
-  Status begin(const RunInfo& run) override {
-    return ask(Call::Begin, std::tie(run), std::tuple<>());
-  }
+  Status begin(const RunInfo& run) override { return ask(Call::Begin, run); }
   Status observe(const Snapshot& s) override {
-    std::optional<MapGraph> graph;
-    if (s.graph != nullptr) graph = *s.graph;
-    const std::optional<MapGraph>& given = graph;
+    const auto graph = s.graph == nullptr ? std::nullopt : std::optional(*s.graph);
     const std::vector<RunEvent> events = s.events != nullptr ? *s.events : std::vector<RunEvent>();
-    return ask(Call::Watch,
-               std::tie(*s.frame, *s.motion, *s.place, *s.decision, *s.map, *s.cells, given,
-                        s.stage_times_ns, events),
-               std::tuple<>());
+    return ask(Call::Watch, *s.frame, *s.motion, *s.place, *s.decision, *s.map, *s.cells, graph,
+               s.stage_times_ns, events);
   }
-  Status finish(const MapGraph& graph) override {
-    return ask(Call::FinishObserver, std::tie(graph), std::tuple<>());
-  }
+  Status finish(const MapGraph& graph) override { return ask(Call::FinishObserver, graph); }
 };
 
 template <class Proxy>
@@ -188,7 +175,7 @@ std::unique_ptr<Instance> instantiate(std::shared_ptr<RemotePlugin> remote,
 }
 
 Status openArtefacts(RemotePlugin& remote, const std::string& run_directory) {
-  return remote.call(Call::OpenArtefacts, std::tie(run_directory), std::tuple<>());
+  return remote.call(Call::OpenArtefacts, run_directory);
 }
 
 }  // namespace tolman::host

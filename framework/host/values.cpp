@@ -10,7 +10,6 @@
 #include <set>
 #include <string_view>
 
-#include "config/limits.hpp"
 #include "config/text.hpp"
 #include "tolman/geometry.hpp"
 
@@ -78,16 +77,16 @@ Status checkRig(const CameraRig& rig) {
 namespace {
 
 Status checkName(std::string_view name) {
-  const bool fits = !name.empty() && name.size() <= config::kLongestName;
+  const bool fits = !name.empty() && name.size() <= kLongestName;
   if (fits && config::isPrintable(name)) return Status::ok();
   return Status::failed(
       fmt::format("the array name '{}' is not of 1 to {} bytes of UTF-8 without control characters",
-                  config::printable(name.substr(0, config::kLongestName)), config::kLongestName));
+                  config::printable(name.substr(0, kLongestName)), kLongestName));
 }
 
 Status checkArray(const NamedArray& array) {
   if (Status status = checkName(array.name); !status.isOk()) return status;
-  if (!config::shapeFits(array.shape, array.values.size())) {
+  if (!shapeFits(array.shape, array.values.size())) {
     return Status::failed("array '" + array.name + "' has a size that differs from its shape");
   }
   if (std::ranges::all_of(array.values, [](float value) { return std::isfinite(value); })) {
@@ -110,9 +109,8 @@ Status changedShape(const NamedArray& array) {
 /// Checks the number of arrays, each array, and that names are unique.
 template <class Named, class CheckOne>
 Status checkEach(std::span<const Named> all, const CheckOne& check_one) {
-  if (all.size() > config::kMaxArrays) {
-    return Status::failed(
-        fmt::format("{} arrays; at most {} are allowed", all.size(), config::kMaxArrays));
+  if (all.size() > kMaxArrays) {
+    return Status::failed(fmt::format("{} arrays; at most {} are allowed", all.size(), kMaxArrays));
   }
   std::set<std::string_view> names;
   for (const Named& one : all) {

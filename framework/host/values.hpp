@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the values of an answer can be recorded: finite, within the limits of a record
-// (config/limits.hpp), enumerators with a name, orthonormal rotations; arrays that keep their
+// Whether the values of an answer can be recorded: finite, within the limits of a record,
+// enumerators with a name, orthonormal rotations; arrays that keep their
 // shapes, images that fit the cameras, and cameras that can exist.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -15,13 +17,45 @@
 #include <type_traits>
 #include <vector>
 
-#include "config/limits.hpp"
 #include "tolman/camera.hpp"
 #include "tolman/fields.hpp"
 #include "tolman/records.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::host {
+
+// The largest values that a run may have.
+
+/// Differences of stamps and frames fit their type.
+inline constexpr std::int64_t kMaxInteger = std::int64_t{1} << 62U;
+/// Squares of numbers up to this one are finite.
+inline constexpr double kMaxNumber = 1e100;
+inline constexpr double kFarthest = 1e12;  // m, of each coordinate of a position
+/// Largest element of |R'R - 1|. A rotation in single precision has about 1e-6.
+inline constexpr double kRotationError = 1e-4;
+inline constexpr std::size_t kMaxArrays = 256;    // of a frame, in one record
+inline constexpr std::size_t kLongestName = 100;  // bytes, of an array
+
+/// Also false for NaN.
+inline bool isNear(const Eigen::Vector3d& position) {
+  return (position.array().abs() <= kFarthest).all();
+}
+
+/// Whether a quaternion of unit length describes this matrix. False for mirrors and NaN.
+inline bool isRotation(const Eigen::Matrix3d& R) {
+  const Eigen::Matrix3d error = R.transpose() * R - Eigen::Matrix3d::Identity();
+  return (error.array().abs() <= kRotationError).all() && R.determinant() > 0;
+}
+
+/// Whether an array of this shape has `count` values.
+inline bool shapeFits(const std::vector<int>& shape, std::size_t count) {
+  std::size_t size = 1;
+  for (const int side : shape) {
+    if (side < 0 || (side > 0 && size > count / static_cast<std::size_t>(side))) return false;
+    size *= static_cast<std::size_t>(side);
+  }
+  return size == count;
+}
 
 /// Requires valid pixels, rows that do not overlap, and the sizes of the rig; and of a pair either
 /// both images in one format or none.
@@ -46,8 +80,8 @@ concept MatrixValue = std::is_base_of_v<Eigen::DenseBase<T>, T>;
 inline const char* wrongIn(const Eigen::Isometry3d& T) {
   if (!T.matrix().allFinite()) return kIllegal;
   if (T.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) return kNoPose;
-  if (!config::isRotation(T.linear())) return kNoRotation;
-  return config::isNear(T.translation()) ? nullptr : kTooFar;
+  if (!isRotation(T.linear())) return kNoRotation;
+  return isNear(T.translation()) ? nullptr : kTooFar;
 }
 
 /// The problem of a value that is neither a record nor a list of records; null if it has none.
@@ -55,15 +89,15 @@ template <class T>
 const char* wrongIn(const T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!std::isfinite(value)) return kIllegal;
-    return std::abs(value) <= config::kMaxNumber ? nullptr : kTooLarge;
+    return std::abs(value) <= kMaxNumber ? nullptr : kTooLarge;
   } else if constexpr (NamedEnum<T>) {
     return static_cast<std::size_t>(value) < enumNames(value).size() ? nullptr : kIllegal;
   } else if constexpr (std::is_same_v<T, std::int64_t>) {
-    return value >= -config::kMaxInteger && value <= config::kMaxInteger ? nullptr : kTooLarge;
+    return value >= -kMaxInteger && value <= kMaxInteger ? nullptr : kTooLarge;
   } else if constexpr (MatrixValue<T>) {
     if (!value.allFinite()) return kIllegal;
     if constexpr (std::is_same_v<typename T::Scalar, double>) {
-      return (value.array().abs() <= config::kMaxNumber).all() ? nullptr : kTooLarge;
+      return (value.array().abs() <= kMaxNumber).all() ? nullptr : kTooLarge;
     }
   }
   return nullptr;  // not checked: shorter integers, text, pixels

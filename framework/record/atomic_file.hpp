@@ -11,24 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_descriptor.hpp"
 #include "tolman/context.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::record {
 
-/// Owns a file descriptor and closes it.
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int number) : number_(number) {}
-  ~FileDescriptor();
-  FileDescriptor(FileDescriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept;
-  bool isOpen() const { return number_ >= 0; }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
+using tolman::FileDescriptor;
 
 /// Opens and locks a folder; the lock ends with the descriptor. The result is not open if another
 /// process holds the lock, or if `folder` is not a folder.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -54,5 +55,24 @@ Result<std::string> recordDigest(const std::filesystem::path& run_directory);
 /// InvalidInput where run.sqlite or config.resolved.yaml is not what the run wrote. A run that was
 /// killed has no digest of run.sqlite: then SQLite checks it. Ok while the run goes on.
 Status verify(const std::filesystem::path& run_directory);
+
+// The files that a run reads, their digests, and whether they are still the same.
+
+struct DataDigest {
+  std::string path;
+  std::int64_t files = 0;
+  std::int64_t bytes = 0;
+  std::string stamp;   ///< SHA-256 of names, inodes, sizes and modification times of all files
+  std::string sha256;  ///< SHA-256 of names and contents of all files; empty above the limit
+};
+
+/// The digest of a file, or of all regular files below a folder. Of a run directory only the files
+/// that a later run reads: run.sqlite and the state; run directories further below are left out,
+/// because they are results, and not part of the data beside them. Links are followed, but not to a
+/// folder that contains them. Contents are not read if `known` has the same path and stamp (then
+/// `known` is returned), or if there are more than `most` bytes. InvalidInput if something cannot
+/// be read, or for more than a million files.
+Result<DataDigest> digestData(const std::filesystem::path& path, const DataDigest& known = {},
+                              std::int64_t most = std::int64_t{64} << 30U);
 
 }  // namespace tolman::record

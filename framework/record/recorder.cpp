@@ -7,7 +7,6 @@
 #include <chrono>
 
 #include "base/codec.hpp"
-#include "record/run_directory.hpp"
 
 namespace tolman::record {
 namespace {
@@ -61,7 +60,7 @@ void createTables(Database& database, bool exact) {
   }
 }
 
-Database createDatabase(const std::filesystem::path& file, const std::string& run_id) {
+Database createDatabase(const std::filesystem::path& file) {
   Database database = openDatabase(file, Access::Create);
   database.exec(kJournal);
   database.exec("BEGIN");
@@ -75,26 +74,19 @@ Database createDatabase(const std::filesystem::path& file, const std::string& ru
       "CREATE INDEX \"earlier_loop_announced\" ON \"earlier_loop\" (\"announced_at\");"
       "INSERT INTO \"run\" VALUES ('schema_version', '" +
       std::to_string(kSchemaVersion) + "')");
-  if (!run_id.empty()) {
-    Statement row(database, "INSERT INTO \"run\" VALUES (?, ?)");
-    row.bindNext(std::string(kRunIdKey));
-    row.bindNext(run_id);
-    row.run();
-  }
   database.exec("COMMIT");
   return database;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Recorder>> Recorder::open(const std::filesystem::path& directory,
-                                                 const std::string& run_id) {
+Result<std::unique_ptr<Recorder>> Recorder::open(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "run.sqlite";
   if (std::filesystem::exists(file)) {
     return Status::failed(file.string() + ": exists; record into a fresh directory");
   }
   return answered(file.string(), [&] {
-    return std::unique_ptr<Recorder>(new Recorder(file, createDatabase(file, run_id)));
+    return std::unique_ptr<Recorder>(new Recorder(file, createDatabase(file)));
   });
 }
 
@@ -118,8 +110,6 @@ Recorder::Recorder(const std::filesystem::path& file, Database database)
       meta_(database_,
             "INSERT INTO \"run\" (\"key\", \"value\") VALUES (?, ?)"
             " ON CONFLICT (\"key\") DO UPDATE SET \"value\" = excluded.\"value\""),
-      remove_arrays_(database_,
-                     "DELETE FROM \"array\" WHERE \"frame\" = ? AND \"source\" = 'cells'"),
       exact_(database_.tableExists(ExactPoses::kRecord)),
       committer_([this](const std::stop_token& stop) { commitRegularly(stop); }) {}
 
@@ -242,26 +232,9 @@ void Recorder::writeMotion(const Motion& motion) {
   store_.insert(without_points);
 }
 
-/// When the step has doubled at frame `begin`, the frames before it have twice as many arrays as
-/// they should. Each further frame removes those of one of them, so that none takes long.
 void Recorder::writeArrays(std::int64_t frame, const std::vector<NamedArray>& arrays) {
-  const bool automatic = arrays_every_ == kAutomatic;
-  const std::int64_t step = automatic ? arrayStep(frame) : arrays_every_;
-  if (step == 0 || frame % step != 0) return;
-  store_.insertArrays(frame, "cells", arrays);
-  if (!automatic || step == 1) return;
-  const std::int64_t begin = kMostArrayFrames * step / 2;
-  remove_arrays_.bindNext(frame - begin + step / 2);
-  remove_arrays_.run();
-}
-
-/// Those that writeArrays() has not yet removed.
-void Recorder::removeArraysBetween() {
-  if (arrays_every_ != kAutomatic) return;
-  const std::int64_t step = arrayStep(largest("frame", "frame"));
-  if (step == 1) return;
-  database_.exec("DELETE FROM \"array\" WHERE \"source\" = 'cells' AND \"frame\" % " +
-                 std::to_string(step) + " <> 0");
+  const std::int64_t step = arrays_every_ == kAutomatic ? arrayStep(frame) : arrays_every_;
+  if (step > 0 && frame % step == 0) store_.insertArrays(frame, "cells", arrays);
 }
 
 void Recorder::writeGraph(const MapGraph& graph) {
@@ -378,10 +351,7 @@ Status Recorder::close() {
   closed_ = true;
   commitNow();
   if (failure_.isOk()) {
-    failure_ = guarded(name_, [&] {
-      removeArraysBetween();
-      mergeLog();
-    });
+    failure_ = guarded(name_, [&] { mergeLog(); });
   }
   return failure_;
 }

@@ -22,7 +22,8 @@ namespace tolman::record {
 inline constexpr int kAutomatic = -1;
 inline constexpr std::int64_t kMostArrayFrames = 5'000;
 
-/// The least power of two N so that every N-th frame up to `frame` is at most kMostArrayFrames.
+/// 1 for the first kMostArrayFrames frames, then 2, and twice as much whenever their number
+/// doubles.
 constexpr std::int64_t arrayStep(std::int64_t frame) {
   std::int64_t step = 1;
   while (frame >= kMostArrayFrames * step) step *= 2;
@@ -37,9 +38,8 @@ constexpr std::int64_t arrayStep(std::int64_t frame) {
 /// have none. Tables `experience` and `link` have the latest values.
 class Recorder {
  public:
-  /// Creates run.sqlite, with the id of the run, in an existing directory that has none.
-  static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory,
-                                                const std::string& run_id = "");
+  /// Creates run.sqlite in an existing directory that has none.
+  static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory);
   /// Opens run.sqlite of an interrupted or killed run. Removes the rows from frame `next_frame` on,
   /// and the tables that a run writes once: begin(), graph() and finalPoses() write them again.
   static Result<std::unique_ptr<Recorder>> reopen(const std::filesystem::path& directory,
@@ -49,8 +49,7 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   /// Arrays of the cells are recorded every N frames; 0: never. kAutomatic: at every
-  /// arrayStep()-th frame; those of earlier frames between are removed as the run grows, so the
-  /// record of a run that ended has the same frames as if its length had been known.
+  /// arrayStep()-th frame.
   void recordArrays(int every) { arrays_every_ = every; }
   /// From now on also records all bits of poses, so that the run can be replayed. `sensors`: how
   /// many of the descriptions of arrays are those of the source.
@@ -91,7 +90,6 @@ class Recorder {
   void writeGraph(const MapGraph& graph);
   void writeMotion(const Motion& motion);
   void writeArrays(std::int64_t frame, const std::vector<NamedArray>& arrays);
-  void removeArraysBetween();
   void removeFrom(std::int64_t next_frame);
   void commitNow();
   void setMeta(const std::string& key, const std::string& value);
@@ -103,7 +101,7 @@ class Recorder {
   std::string name_;
   Database database_;
   StoreWriter store_;
-  Statement meta_, remove_arrays_;
+  Statement meta_;
   // Hashes of the rows in the tables, so that only changed rows are written.
   std::vector<std::uint64_t> written_experiences_;
   std::vector<std::uint64_t> written_links_;

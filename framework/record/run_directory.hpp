@@ -78,9 +78,6 @@ class RunDirectory {
   FileDescriptor lock_;
 };
 
-/// The key of the run's id in run.json, and in table `run` of run.sqlite.
-inline constexpr const char* kRunIdKey = "id";
-
 /// Whether `directory` is a run directory: it has a run.sqlite, or a run.json with a status or
 /// beside a config.resolved.yaml.
 bool holdsRun(const std::filesystem::path& directory);

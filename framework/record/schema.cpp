@@ -80,7 +80,7 @@ std::string tableMarkdown(const Table& table) {
 std::vector<Table> schema() {
   return {
       {"run",
-       "properties of the run: schema_version, name, the id that run.json has too; with "
+       "properties of the run: schema_version, name; with "
        "`record.replay` also how many of array_info, from the first, are the source's (sensors)",
        {{"key", "TEXT", "", "name"}, {"value", "TEXT", "", "value"}},
        primaryKey("key")},

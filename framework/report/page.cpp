@@ -221,12 +221,11 @@ std::string loopTable(const std::vector<LoopStory>& loops) {
 
 /// The words for a counter of run.json.
 std::string labelOf(const std::string& counter) {
-  constexpr std::array<std::pair<const char*, const char*>, 5> kWords = {
+  constexpr std::array<std::pair<const char*, const char*>, 4> kWords = {
       {{"impossible", "impossible motions"},
        {"defects", "images missing or faulty"},
        {"nearly_black", "nearly black images"},
-       {"unmoved", "frames with zero motion"},
-       {"place_left_out", "frames without place recognition"}}};
+       {"unmoved", "frames with zero motion"}}};
   for (const auto& [name, words] : kWords) {
     if (counter == name) return words;
   }

@@ -117,12 +117,11 @@ TEST_CASE("an image that cannot be written is named, and leaves nothing behind")
 TEST_CASE("poses and loops are written with the whole truth only") {
   const test::TemporaryFolder folder;
   const auto target = app::KittiFolder::create(folder.path(), false);
-  app::DriveLog log;
-  log.stamps_ns = {0, 100'000'000};
-  log.truth = {{0, 0, Eigen::Isometry3d::Identity()}};
-  REQUIRE(target.value().writeTexts(kittiRig(), log, {}).isOk());
+  const std::vector<std::int64_t> stamps = {0, 100'000'000};
+  evaluation::Trajectory truth = {{0, 0, Eigen::Isometry3d::Identity()}};
+  REQUIRE(target.value().writeTexts(kittiRig(), stamps, truth, {}).isOk());
   CHECK(entries(folder.path()) == 3);
-  log.truth.push_back({1, 100'000'000, Eigen::Isometry3d::Identity()});
-  REQUIRE(target.value().writeTexts(kittiRig(), log, {}).isOk());
+  truth.push_back({1, 100'000'000, Eigen::Isometry3d::Identity()});
+  REQUIRE(target.value().writeTexts(kittiRig(), stamps, truth, {}).isOk());
   CHECK(entries(folder.path()) == 5);
 }

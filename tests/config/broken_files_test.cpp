@@ -21,12 +21,13 @@ TEST_CASE("The configuration that the broken ones extend is valid") {
 TEST_CASE("Misspelt keys are refused with the nearest known name, at every level") {
   CHECK(complaints("typos.yaml") ==
         "broken/typos.yaml:2:1: piepline: unknown key; did you mean 'pipeline'? (keys: name, "
-        "seed, threads, on_findings, continue, source, odometry, place, cells, map, observers, "
+        "seed, threads, on_findings, continue, localise, source, odometry, place, cells, map, "
+        "observers, "
         "pipeline, "
         "evaluation, "
         "record, isolation, checks, rectification, images, extends)\n"
         "broken/typos.yaml:3:12: pipeline.mod: unknown key; did you mean 'mode'? (keys: mode, "
-        "queue, input_policy, place_policy, speed, stage_deadline)\n"
+        "queue, input_policy, speed)\n"
         "broken/typos.yaml:5:3: odometry.activ_points: unknown parameter; did you mean "
         "'active_points'? (parameters of plugin toy_odometry: active_points, scale, pyramid, "
         "solver)\n"
@@ -90,7 +91,8 @@ TEST_CASE("Values out of range show the range with its unit; bad choices show th
 TEST_CASE("Missing and malformed stages are refused with a remedy") {
   CHECK(complaints("stages.yaml") ==
         "broken/stages.yaml:1:1: odomtry: unknown key; did you mean 'odometry'? (keys: name, "
-        "seed, threads, on_findings, continue, source, odometry, place, cells, map, observers, "
+        "seed, threads, on_findings, continue, localise, source, odometry, place, cells, map, "
+        "observers, "
         "pipeline, "
         "evaluation, "
         "record, isolation, checks, rectification, images, extends)\n"

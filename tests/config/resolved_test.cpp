@@ -29,6 +29,7 @@ TEST_CASE("The resolved configuration has every value, defaults included") {
       test::checkSystem("whole.yaml", {"source.path=/data/06", "evaluation.segments=[5, 10.5]"});
   REQUIRE(system.complaints() == "");
   CHECK(resolved(system) == R"(continue: ""
+localise: ""
 name: whole
 on_findings: stop
 seed: 7
@@ -36,10 +37,8 @@ threads: 0
 pipeline:
   input_policy: drop_oldest
   mode: lossless
-  place_policy: block
   queue: 4
   speed: 1
-  stage_deadline: 10
 evaluation:
   alignment: se3
   body: ""

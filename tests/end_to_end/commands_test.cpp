@@ -15,21 +15,15 @@ using namespace tolman::test;
 TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   const Finished help = tolman::test::tolman({"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* part :
-       {"run", "check", "plugins", "dataset", "eval", "export", "Examples:", "Exit codes:"}) {
+  for (const char* part : {"run", "check", "plugins", "dataset", "eval", "export", "Exit codes:"}) {
     CHECK(contains(help.out, part));
   }
   const Finished plan = tolman::test::tolman({"plan", "--help"});
-  CHECK(contains(plan.out, "tolman plan runs/demo"));
-  CHECK_FALSE(contains(plan.out, "tolman run"));
   CHECK(contains(plan.out, "Exit codes:"));
   CHECK(tolman::test::tolman({}).exit_code == 2);
   CHECK(tolman::test::tolman({"fly"}).exit_code == 2);
   CHECK(tolman::test::tolman({"run"}).exit_code == 2);
   CHECK(contains(tolman::test::tolman({"--version"}).out, "tolman 0.1.0"));
-  CHECK(contains(tolman::test::tolman({"version"}).out, "tolman 0.1.0"));
-  CHECK(tolman::test::tolman({"help"}).out == help.out);
-  CHECK(tolman::test::tolman({"help", "plan"}).out == plan.out);
   const std::string folder =
       kFixturePlugins + "steady";  // the option takes one folder, not the rest
   CHECK(tolman::test::tolman({"check", "--plugin-path", folder, "demo"}).exit_code == 0);
@@ -41,8 +35,6 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   CHECK(contains(words({"check", "--plugin-path", "no/such/folder", "demo"}),
                  "does not exist: no/such/folder"));
   CHECK(words({"rnu", "demo"}) == "'rnu' is no command; did you mean 'run'?\n");
-  CHECK(words({"help", "rnu"}) == "'rnu' is no command; did you mean 'run'?\n");
-  CHECK(words({"help", "plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
   CHECK(words({"plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
   CHECK(contains(words({"launch"}), "'launch' is no command; it is one of: run, check, plugins"));
 }

@@ -331,27 +331,6 @@ TEST_CASE("--resume takes the configuration of the run and nothing beside it") {
   CHECK(contains(no_run.err, ": is no run directory, it holds no config.resolved.yaml"));
 }
 
-#ifdef TOLMAN_DISK_SPACE
-TEST_CASE("a disk that is nearly full ends the run in good order, to be resumed later") {
-  const TinyRun run;
-  const Finished stopped =
-      tolman::test::run(joined({"env", std::string("LD_PRELOAD=") + TOLMAN_DISK_SPACE,
-                                "TOLMAN_FREE_BYTES=3000000", tolmanProgram().string()},
-                               run.words));
-  CHECK(stopped.exit_code == 8);
-  CHECK(contains(stopped.err, "the disk is nearly full: 2.9 MiB are left"));
-  const auto json = readJson(run.out / "run.json");
-  CHECK(json["status"] == "failed");
-  CHECK(json["failure"]["kind"] == "record");
-  CHECK(json["counters"]["frames"] < 60);
-  CHECK(fs::exists(run.out / "report.html"));
-  const Finished resumed = tolman::test::tolman(run.resume());
-  INFO(resumed.err);
-  REQUIRE(resumed.exit_code == 0);
-  CHECK(readText(run.out / "results.sha256") == run.expected());
-}
-#endif
-
 TEST_CASE("real images and real motion: resumed runs have the bytes of uninterrupted ones",
           "[data]") {
   const auto [config, sequence, frame] =

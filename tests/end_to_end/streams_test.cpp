@@ -62,7 +62,7 @@ TEST_CASE("a closed output is told as one that cannot be written") {
   const Tiny tiny;
   const std::string truth = tiny.folder.path() / "sequence/poses.txt";
   for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"eval", truth, truth}, {"plugins", "list"}, {"version"}}) {
+       {std::vector<std::string>{"eval", truth, truth}, {"plugins", "list"}, {"--version"}}) {
     CAPTURE(words);
     CHECK(run(script("exec", words, " >&-")).exit_code == 8);
   }

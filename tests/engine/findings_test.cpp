@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Findings of stages: printed once per kind, judged by `on_findings`, recorded one by one.
-#include "engine/findings.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "engine/services.hpp"
 
 using namespace tolman;
 using namespace tolman::engine;

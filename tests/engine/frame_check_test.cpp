@@ -160,20 +160,3 @@ TEST_CASE("a right image with its rows apart is not used from the first frame on
     CHECK(frame.defect.find("px low; are the images rectified") != std::string::npos);
   }
 }
-
-TEST_CASE("the rows of sound pairs are summed up, and of pairs that are apart by their shift") {
-  for (const int low : {0, 3}) {
-    FrameCheck check;
-    CHECK(check.rowsText().empty());
-    for (std::uint64_t i = 0; i < 12; ++i) {
-      PaintedPair pair = view(i);
-      pair.rows_low = low;
-      Frame frame = frameOf(pair);
-      check.check(frame);
-    }
-    const std::string text = check.rowsText();
-    const std::string before = "the right image is ";
-    REQUIRE(text.find(before) != std::string::npos);
-    CHECK(std::stod(text.substr(text.find(before) + before.size())) == Approx(low).margin(0.3));
-  }
-}

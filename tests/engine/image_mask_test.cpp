@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Masked rectangles get a smooth continuation of their surroundings; nothing else changes.
-#include "engine/image_mask.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "engine/camera_check.hpp"
+#include "engine/pixel_map.hpp"
 
 using namespace tolman;
 using engine::ImageMask;
@@ -74,25 +75,22 @@ TEST_CASE("without a mask images are the same, and impossible masks are refused"
 }
 
 TEST_CASE("images whose projector blinks are noticed once, and those without its dots named") {
-  const auto noticed = [](auto&& hasDots, engine::Alternation& alternation) {
-    int times = 0;
+  const auto noticed = [](auto&& hasDots) {
+    engine::Alternation alternation;
+    std::vector<std::string> remedies;
     for (int i = 0; i < 40; ++i) {
       const Image image = painted(PixelFormat::Gray8, [&](int x, int y, int) {
         const int scene = 100 + (x * 7 + i) % 23 + (x * y + i * i) % 5;
         return hasDots(i) && (x * 31 + y * 17) % 19 == 0 ? 200 : scene;
       });
-      times += alternation.add(image) ? 1 : 0;
+      if (const auto finding = alternation.add(image)) remedies.push_back(finding->remedy);
     }
-    return times;
+    return remedies;
   };
-  engine::Alternation even;
-  CHECK(noticed([](int i) { return i % 2 == 0; }, even) == 1);
-  CHECK(even.first() == 1);
-  engine::Alternation odd;
-  CHECK(noticed([](int i) { return i % 2 == 1; }, odd) == 1);
-  CHECK(odd.first() == 0);
-  engine::Alternation constant;
-  CHECK(noticed([](int) { return true; }, constant) == 0);
-  engine::Alternation third;
-  CHECK(noticed([](int i) { return i % 3 == 0; }, third) == 0);
+  using Remedies = std::vector<std::string>;
+  const std::string rest = " to source.first, and set source.step to 2";
+  CHECK(noticed([](int i) { return i % 2 == 0; }) == Remedies{"use the others: add 1" + rest});
+  CHECK(noticed([](int i) { return i % 2 == 1; }) == Remedies{"use the others: add 0" + rest});
+  CHECK(noticed([](int) { return true; }).empty());
+  CHECK(noticed([](int i) { return i % 3 == 0; }).empty());
 }

@@ -108,20 +108,22 @@ TEST_CASE("each pixel is the mean of four by the shares of its position") {
     for (int x = 0; x < rig.width; ++x) {
       const auto at = lens.pixelOf(R.transpose() * rig.pinhole.ray({x, y}));
       if (!at) continue;
-      const auto u = static_cast<int>(std::lround(64 * at->x()));
-      const auto v = static_cast<int>(std::lround(64 * at->y()));
-      const int column = std::min(u / 64, camera.width - 2);
-      const int row = std::min(v / 64, camera.height - 2);
+      const double u = std::round(32 * at->x()) / 32;
+      const double v = std::round(32 * at->y()) / 32;
+      const int column = std::min(static_cast<int>(u), camera.width - 2);
+      const int row = std::min(static_cast<int>(v), camera.height - 2);
       const auto across = [&](const std::uint8_t* p) {
-        return p[column] * (64 - u + 64 * column) + p[column + 1] * (u - 64 * column);
+        return std::lerp(p[column], p[column + 1], u - column);
       };
-      const int above = across(raw.row(row));
-      const int step = (across(raw.row(row + 1)) - above) * (v - 64 * row);
-      expected.at<std::uint8_t>(y, x) =
-          static_cast<std::uint8_t>((above + ((step + 32) >> 6) + 32) >> 6);
+      expected.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(
+          std::lerp(across(raw.row(row)), across(raw.row(row + 1)), v - row));
     }
   }
-  CHECK(cv::norm(asMat(PixelMap(camera, R, rig).apply(raw)), expected, cv::NORM_INF) == 0);
+  cv::Mat difference;
+  cv::absdiff(asMat(PixelMap(camera, R, rig).apply(raw)), expected, difference);
+  // A position between two steps of 1/32 px may be rounded to either of them: floats hold it.
+  CHECK(cv::countNonZero(difference > 1) < 2e-3 * static_cast<double>(difference.total()));
+  CHECK(cv::norm(difference, cv::NORM_INF) < 17);
   CHECK(cv::mean(expected)[0] > 1);
 }
 

@@ -48,7 +48,7 @@ std::pair<double, int> rowsApart(const std::vector<Frame>& frames) {
   std::vector<double> rows;
   int matched = 0;
   for (const Frame& frame : frames) {
-    const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
+    const StereoMeasure measure = measureStereo(halfOf(frame.left), halfOf(frame.right));
     CHECK(measure.spread < 2);
     CHECK(measure.share_exchanged < 0.1);
     rows.push_back(measure.rows_low);

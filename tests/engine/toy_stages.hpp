@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "engine/drive.hpp"
+#include "engine/chain.hpp"
 #include "support/context.hpp"
 #include "tolman/plugin.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // True poses of files for the frames of any source.
-#include "engine/true_path.hpp"
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "engine/rectified_source.hpp"
 #include "support/data.hpp"
 #include "tolman/geometry.hpp"
 

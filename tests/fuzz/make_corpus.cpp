@@ -12,7 +12,7 @@
 #include "base/codec.hpp"
 #include "bayesian_attractor.hpp"
 #include "experience_map.hpp"
-#include "host/channel.hpp"
+#include "host/child_process.hpp"
 #include "input.hpp"
 #include "place_replay.hpp"
 #include "seqslam.hpp"

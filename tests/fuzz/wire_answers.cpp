@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/codec.hpp"
-#include "host/channel.hpp"
+#include "host/child_process.hpp"
 #include "host/stages.hpp"
 #include "input.hpp"
 #include "small_plugins.hpp"

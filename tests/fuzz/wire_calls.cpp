@@ -3,7 +3,7 @@
 // input chooses the role, the second the call, the rest are its arguments.
 #include <array>
 
-#include "host/channel.hpp"
+#include "host/child_process.hpp"
 #include "host/plugin_process.hpp"
 #include "input.hpp"
 

@@ -12,12 +12,12 @@ using namespace tolman::test;
 TEST_CASE("a library that a plugin brings along is one of its files") {
   const auto files = load("brings_library", "brings_library").manifest.program_files;
   REQUIRE(files.size() == 1);  // none of the system
+  CHECK(load("brings_library", "brings_library").manifest.program_files == files);
   CHECK(files[0] == fixtureFolder("brings_library") / "libtolman_brought.so");
 }
 
-TEST_CASE("other plugins, and libraries that are not open, have none") {
+TEST_CASE("other plugins have none") {
   CHECK(load("steady", "steady").manifest.program_files.empty());
-  CHECK(host::ownLibraries("/no/such/library.so").empty());
 }
 
 TEST_CASE("a second library of one name is refused, and the open one stays as it is") {

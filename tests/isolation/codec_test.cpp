@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "host/channel.hpp"
+#include "host/child_process.hpp"
 
 using namespace tolman;
 using namespace tolman::host;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "host/channel.hpp"
+#include "host/child_process.hpp"
 
 using namespace tolman::host;
 using std::chrono::milliseconds;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "record/data_digest.hpp"
-
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A replay gives the recorded data, of a running and of a finished run.
-#include "record/replay.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "record/run_reader.hpp"
 #include "record/sample_run.hpp"
 #include "support/data.hpp"
 
