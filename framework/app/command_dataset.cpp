@@ -152,6 +152,7 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
             "Read at most N frames (default: all; 10 of a source without an end)");
   checking.callback([asked, &invocation] { invocation.exit_code = check(*asked, invocation); });
   addRenderCommand(command, invocation);
+  addBagCommand(command, invocation);
 }
 
 }  // namespace tolman::app

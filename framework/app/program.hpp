@@ -96,6 +96,7 @@ void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation);  // below 
 void addInitCommand(CLI::App& app, Invocation& invocation);
 void addDatasetCommand(CLI::App& app, Invocation& invocation);
 void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dataset`
+void addBagCommand(CLI::App& dataset, Invocation& invocation);     // likewise
 void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addEvalCommand(CLI::App& app, Invocation& invocation);
 void addPlanCommand(CLI::App& app, Invocation& invocation);

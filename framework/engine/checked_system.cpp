@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 4> kChain = {"odometry", "place", "cells"
 /// Removes the stages that are outside the scope from the configuration.
 void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
   if (scope == Scope::All) return;
-  loaded.tree.erase("observers");
+  if (scope != Scope::SourceAndObservers) loaded.tree.erase("observers");
   if (scope == Scope::WithoutObservers) return;
   std::vector<std::string_view> needed = {"source"};
   if (scope == Scope::SourceAndOdometry) needed.emplace_back("odometry");

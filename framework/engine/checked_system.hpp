@@ -75,6 +75,7 @@ enum class Scope : std::uint8_t {
   WithoutObservers,
   SourceAndOdometry,
   SourceAndPlace,
+  SourceAndObservers,
   Source
 };
 

@@ -37,6 +37,9 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   }
   if (id == "motion_log") return {"--set", path(sequence)};
   if (id == "record") return {"--set", path(sequence.parent_path() / "recorded")};
+  if (id == "bag_writer") {
+    return {"--set", path(sequence.parent_path() / "kit.mcap"), "--set", "replace=true"};
+  }
   if (id == "town") {
     return {"--set", "scale=0.2", "--set", "last=20"};
   }

@@ -200,12 +200,28 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, BagMessage message, Bytes
   }
 }
 
+namespace {
+
+/// Whether the only message without a time is the first, and as far before the second as that is
+/// before the third: it was made at time 0, where a recording begins.
+bool beginsAtZero(const std::vector<BagMessage>& index) {
+  if (index.size() < 3 || index.front().has_stamp || !index[1].has_stamp) return false;
+  const std::int64_t step_ns = index[2].stamp_ns - index[1].stamp_ns;
+  return step_ns > 0 && std::abs(index[1].stamp_ns - step_ns) <= step_ns;
+}
+
+}  // namespace
+
 /// Times of headers and of recording may be of two clocks (simulated time begins when the clock is
 /// first published), so messages without a time in their header are left out if others have one.
 void Bag::sortByTime(BagTopic& topic) {
   using Severity = Finding::Severity;
   const std::string& name = topic.topic.name;
-  const auto without = std::ranges::count(topic.index, false, &BagMessage::has_stamp);
+  auto without = std::ranges::count(topic.index, false, &BagMessage::has_stamp);
+  if (without == 1 && beginsAtZero(topic.index)) {
+    topic.index.front().stamp_ns = without = 0;
+    topic.index.front().has_stamp = true;
+  }
   if (without > 0 && without < std::ssize(topic.index)) {
     topic.findings.push_back(
         contradiction(Severity::Error, name,
