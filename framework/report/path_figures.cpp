@@ -73,11 +73,18 @@ class PlanView {
   bool lying_ = false;
 };
 
+/// The line ends where many frames have no pose: the place was unknown.
 void drawPath(Svg& svg, const PlanView& view, const Axes& axes,
               const evaluation::Trajectory& trajectory, const char* colour, double thickness) {
+  constexpr std::int64_t kHidden = 20;  // frames; chosen, not tuned
   std::vector<Eigen::Vector2d> points;
+  std::int64_t last = -1;
   for (const auto& pose : trajectory) {
+    if (!points.empty() && pose.frame - last > kHidden) {
+      svg.polyline(std::exchange(points, {}), colour, thickness);
+    }
     points.push_back(view.at(axes, pose.T_world_camera.translation()));
+    last = pose.frame;
   }
   svg.polyline(points, colour, thickness);
 }
