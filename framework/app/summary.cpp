@@ -94,7 +94,7 @@ std::string healthText(const engine::Outcome& outcome) {
   text += fmt::format("; final optimisation of the map {}\n",
                       durationText(1e-9 * static_cast<double>(last_ns)));
   if (outcome.latency.frames == 0) return text;
-  return text + fmt::format("{:<10}exposure to pose median {:.1f} ms, 99 % {:.1f} ms\n", "latency",
+  return text + fmt::format("{:<10}image to pose median {:.1f} ms, 99 % {:.1f} ms\n", "latency",
                             outcome.latency.median_ms, outcome.latency.p99_ms);
 }
 

@@ -116,7 +116,7 @@ std::optional<Finding> Alternation::add(const Image& image) {
 
 namespace {
 
-// Measuring a pair takes 2 ms, so only every fifth frame is measured; every frame during a fault.
+// Measuring a pair takes 5 ms, so only every fifth frame is measured; every frame during a fault.
 constexpr int kMeasuredEvery = 5;  // frames
 constexpr int kCertain = 12;       // matches; with fewer, two measures must find the same fault
 constexpr double kTurns = 2;       // px between two frames

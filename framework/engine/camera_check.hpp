@@ -41,7 +41,7 @@ struct StereoMeasure {
   double share_exchanged = 0;  ///< share of the matches that are further right in the right image
 };
 
-/// Deterministic; a few ms for images of 1241 x 376 px.
+/// Deterministic; about 5 ms for images of 1241 x 376 px.
 StereoMeasure measureStereo(const cv::Mat& left, const cv::Mat& right);
 
 enum class StereoFault { None, RowsApart, Exchanged, OtherTime };

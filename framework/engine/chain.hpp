@@ -316,8 +316,8 @@ class Chain {
 
 // Drives all frames of a source through the stages.
 
-/// Time from the exposure of a frame, by the pace of the stamps since the first frame came, to its
-/// pose in the map, in realtime runs.
+/// Time from when a frame came to its pose in the map, in realtime runs. A recorded frame comes at
+/// the pace of the stamps.
 struct Latency {
   std::int64_t frames = 0;  ///< number of measured frames; 0 in lossless runs
   double median_ms = 0;

@@ -31,7 +31,7 @@ TEST_CASE("a realtime run tells how old its poses are") {
   CHECK_THAT(app::healthText(outcome), !Catch::Contains("latency"));
   outcome.latency = {50, 12.34, 45.67};
   CHECK_THAT(app::healthText(outcome),
-             Catch::EndsWith("latency   exposure to pose median 12.3 ms, 99 % 45.7 ms\n"));
+             Catch::EndsWith("latency   image to pose median 12.3 ms, 99 % 45.7 ms\n"));
 }
 
 TEST_CASE("that a run never tracked is its first line") {
