@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman bench: speed of the source and of every stage. tolman bench places: precision and recall
+// tolman bench: time of every stage. tolman bench places: precision and recall
 // of place recognition.
 #include <iostream>
 
@@ -17,7 +17,7 @@ std::string isOfPlace(const std::string& override) {
   return is_parameter ? "" : "'" + override + "' is no parameter of place (place.NAME=VALUE)";
 }
 
-/// Measures by `run`, then prints the result.
+/// Measures by `run`, then prints the table.
 template <class Run, class Options>
 ExitCode bench(const Run& run, Options options, const Invocation& invocation) {
   const engine::Interrupts interrupts;  // before anything that starts threads
@@ -28,17 +28,9 @@ ExitCode bench(const Run& run, Options options, const Invocation& invocation) {
                                                      framesToCome(most, frames));
     return [line] { line->step(); };
   };
-  const auto measured = run(options, log, interrupts);
-  const experiment::Table table = experiment::tableOf(measured);
+  const auto [table, interrupted] = run(options, log, interrupts);
   std::cout << (invocation.json ? experiment::jsonOf(table) : experiment::textOf(table));
-  return measured.interrupted ? ExitCode::Interrupted : ExitCode::Ok;
-}
-
-void addCounts(CLI::App& command, experiment::BenchOptions& options) {
-  addOption(command, "--frames", options.frames, "N", "Measure at most this many frames")
-      ->check(positive);
-  addOption(command, "--repeat", options.repeats, "N", "Passes of each kind (default: 3)")
-      ->check(CLI::Range(1, 1000));
+  return interrupted ? ExitCode::Interrupted : ExitCode::Ok;
 }
 
 void addPlacesOptions(CLI::App& command, experiment::PlacesOptions& options) {
@@ -110,9 +102,9 @@ void addPlacesCommand(CLI::App& bench_command, Invocation& invocation) {
   command->callback([reader, options, figure, &invocation] {
     std::vector<experiment::PlaceCurve> curves = figure->read();
     const auto run = [&](auto&&... arguments) {
-      auto measured = experiment::runPlacesBench(reader->read(invocation), arguments...);
+      const auto measured = experiment::runPlacesBench(reader->read(invocation), arguments...);
       curves.insert(curves.begin(), {measured.name, measured.curve});
-      return measured;
+      return experiment::BenchTable{experiment::tableOf(measured), measured.interrupted};
     };
     invocation.exit_code = bench(run, *options, invocation);
     figure->write(curves);
@@ -122,12 +114,11 @@ void addPlacesCommand(CLI::App& bench_command, Invocation& invocation) {
 }  // namespace
 
 void addBenchCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App* command =
-      app.add_subcommand("bench", "Measure the speed of a source and of every stage");
+  CLI::App* command = app.add_subcommand("bench", "Measure the time of every stage");
   auto reader = std::make_shared<SystemOptionsReader>(*command);
   auto options = std::make_shared<experiment::BenchOptions>();
-  addCounts(*command, *options);
-  command->add_flag("--source-only", options->source_only, "Leave the other stages out");
+  addOption(*command, "--frames", options->frames, "N", "Measure at most this many frames")
+      ->check(positive);
   addPlacesCommand(*command, invocation);
   CLI::Option* config = command->get_option("config")->required(false);
   command->callback([command, config, reader, options, &invocation] {

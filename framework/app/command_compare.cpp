@@ -4,8 +4,7 @@
 #include <iostream>
 
 #include "app/options.hpp"
-#include "config/text.hpp"
-#include "experiment/figures.hpp"
+#include "experiment/comparison.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "report/svg.hpp"
@@ -20,7 +19,7 @@ struct CompareCommand {
   std::string format;  ///< empty: markdown, with --json json
   Output out;
   std::vector<std::string> figures;
-  std::string kind = "auto";
+  bool maps = false;
   experiment::PivotOptions pivot;
   std::vector<std::string> heads;
   std::vector<std::string> values;
@@ -48,7 +47,6 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
   if (!command.pivot.columns.empty() || !command.values.empty()) {
     command.pivot.by = command.options.by;
     command.pivot.only = command.options.only;
-    command.pivot.mixed_coverage = command.options.mixed_coverage;
     if (command.pivot.cell.empty()) command.pivot.cell = "{" + command.options.metric + ":.3g}";
     for (const std::string& head : command.heads) {
       command.pivot.heads.push_back(sidesOf(head));
@@ -59,9 +57,9 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
     return textOf(valueOf(experiment::pivotOf(rows, command.pivot)), command.format);
   }
   const auto comparison = valueOf(experiment::compareRuns(rows, command.options));
-  const auto kind = config::valueNamed<experiment::FigureKind>(command.kind);
   for (const std::string& file : command.figures) {
-    const std::string svg = valueOf(experiment::comparisonFigure(comparison, *kind));
+    const std::string svg = command.maps ? valueOf(experiment::mapsFigure(comparison))
+                                         : experiment::levelsFigure(comparison);
     files.push_back({file, bytesOf(svg, file)});
   }
   return textOf(experiment::tableOf(comparison), command.format);
@@ -136,8 +134,6 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
       ->check(isAssignment);
   addOption(command, "--baseline", options->options.baseline, "LABEL",
             "Level that the others are paired with");
-  command.add_flag("--mixed-coverage", options->options.mixed_coverage,
-                   "Average runs that cover different shares of the truth");
   addChoice(command, "--format", options->format, {"markdown", "latex", "csv", "json"},
             "Of the table (default: markdown, with --json json)");
   options->out.add(command, "FILE", "File for the table (default: standard output)",
@@ -146,10 +142,8 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
           "Figure to write, .svg, .pdf or .png (repeatable)")
       ->check(isFigure);
   addPivotOptions(command, *options);
-  const auto& kinds = experiment::kFigureKindNames;
-  addChoice(command, "--kind", options->kind, {kinds.begin(), kinds.end()},
-            "Of the figure: line over numbers, box of names (auto); success curve; position error "
-            "over distance; maps over the true path");
+  command.add_flag("--maps", options->maps,
+                   "The figure has the maps over the true path, not the metric over the factor");
   command.callback([options, &invocation] { compare(*options, invocation); });
 }
 

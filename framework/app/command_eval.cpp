@@ -8,8 +8,9 @@
 #include "app/options.hpp"
 #include "app/summary.hpp"
 #include "evaluation/trajectory.hpp"
-#include "experiment/figures.hpp"
+#include "experiment/tables.hpp"
 #include "record/atomic_file.hpp"
+#include "report/axes.hpp"
 
 namespace tolman::app {
 namespace {

@@ -25,8 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxUnits = 1'000'000;
-
 /// Refuses to replace these files, except in the directory of the run that they are about.
 void refuseOther(const std::string& run, const fs::path& folder, const std::vector<fs::path>& files,
                  bool replace) {
@@ -37,8 +35,6 @@ void refuseOther(const std::string& run, const fs::path& folder, const std::vect
 struct ReportCommand {
   std::vector<std::string> runs;
   Output out;
-  std::size_t head_direction = 1;  ///< rows, columns and units are counted from 1
-  std::vector<std::size_t> grid{1, 1};
   bool images = false;
 };
 
@@ -52,8 +48,6 @@ void report(const ReportCommand& command, const Invocation& invocation) {
   for (const std::string& run : command.runs) {
     readers.push_back(valueOf(record::RunReader::open(run)));
   }
-  const report::UnitChoice units{command.head_direction - 1, command.grid[0] - 1,
-                                 command.grid[1] - 1};
   const engine::SteadyClock clock;
   std::optional<engine::Interrupts> interrupts;
   engine::ViewsOfRun views;
@@ -66,7 +60,7 @@ void report(const ReportCommand& command, const Invocation& invocation) {
       return found;
     };
   }
-  const auto files = valueOf(engine::writeReport(readers, folder, units, views));
+  const auto files = valueOf(engine::writeReport(readers, folder, views));
   if (invocation.json) return printFiles(files, invocation);
   printFiles({folder / "report.html"}, invocation);
   if (invocation.quiet) return;
@@ -184,14 +178,6 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
                    "Replace the report that the --out folder holds");
   command.add_flag("--images", options->images,
                    "Both views of the first loops; reads the images of the run's source again");
-  addOption(command, "--hd-unit", options->head_direction, "N",
-            "Head direction unit whose firing rate is drawn, counted from 1 (default: 1)")
-      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
-  addOption(command, "--grid-unit", options->grid, "ROW,COLUMN",
-            "Row and column, from 1, of the grid unit whose firing rate is drawn (default: 1,1)")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
   command.callback([options, &invocation] { report(*options, invocation); });
 }
 

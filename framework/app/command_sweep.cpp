@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman sweep: many runs from one file; and status, collect, archive and point, on its folder.
+// tolman sweep: many runs from one file; and status, collect and point, on its folder.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <boost/algorithm/string/replace.hpp>
 #include <iostream>
 #include <thread>
 
@@ -13,7 +13,6 @@
 #include "config/values.hpp"
 #include "experiment/comparison.hpp"
 #include "experiment/sweep_folder.hpp"
-#include "host/child_process.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {
@@ -29,7 +28,7 @@ struct SweepCommand {
   std::size_t jobs = 0;
   bool dry_run = false;
   bool retry = false;
-  std::string write;
+  bool freeze = false;
 };
 
 /// "37 of 300, 2 failed, 1:05 left"
@@ -48,28 +47,22 @@ struct SweepProgress {
   std::vector<PlannedRun> todo;
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t lost = 0;     ///< runs of `done` that lost tracking
-  std::size_t sharing = 0;  ///< runs in `todo` that take the answers of another run
-  double run_s = 0;         ///< mean duration of the runs that are done; 0 if none is
+  std::size_t lost = 0;  ///< runs of `done` that lost tracking
 };
 
 SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool retry) {
   SweepProgress progress;
-  double sum = 0;
   for (const PlannedRun& run : plan.runs) {
     const auto outcome = experiment::outcomeOf(out / run.folder);
     if (outcome.state == PointState::Done) {
       ++progress.done;
       if (outcome.lostTracking()) ++progress.lost;
-      sum += outcome.wall_s;
     } else if (outcome.state == PointState::Failed && !retry) {
       ++progress.failed;
     } else {
       progress.todo.push_back(run);
-      if (!run.needs().empty()) ++progress.sharing;
     }
   }
-  if (progress.done > 0) progress.run_s = sum / static_cast<double>(progress.done);
   return progress;
 }
 
@@ -115,16 +108,6 @@ void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
   add(progress.lost, "lost", " of them lost tracking");
   add(progress.failed, "failed", " (--retry)");
   text += row("to do", std::to_string(todo));
-  add(progress.sharing, "shared",
-      " of them take the answers of another run's front end, where there are images");
-  const double seconds =
-      progress.run_s * static_cast<double>(todo) / static_cast<double>(command.jobs);
-  if (todo > 0) {
-    text += row("time", seconds > 0
-                            ? fmt::format("about {} with {} at a time, from the runs that are done",
-                                          durationText(seconds), command.jobs)
-                            : "not known before a run is done");
-  }
   for (const std::string& path : plan.missing) {
     text += row("warning", path + " does not exist: the runs that read it will fail");
   }
@@ -134,14 +117,13 @@ void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
 }
 
 /// The command that runs one point, without its folder.
-std::vector<std::string> pointCommand(const std::string& program, std::size_t jobs, bool retry,
+std::vector<std::string> pointCommand(const std::string& program, std::size_t jobs,
                                       const Invocation& invocation) {
   std::vector<std::string> words = {program};
   for (const std::string& path : invocation.plugin_paths) {
     words.insert(words.end(), {"--plugin-path", fs::absolute(path).string()});
   }
   words.insert(words.end(), {"--quiet", "sweep", "point"});
-  if (retry) words.emplace_back("--retry");
   if (jobs > 0) {
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     words.insert(words.end(),
@@ -173,7 +155,7 @@ ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, con
                            outcome.wall_s, run.name) +
                (failed ? "\n    " + outcome.message : ""));
     };
-    const auto words = pointCommand("/proc/self/exe", command.jobs, command.retry, invocation);
+    const auto words = pointCommand("/proc/self/exe", command.jobs, invocation);
     state = experiment::runLocally(out, progress.todo, {command.jobs, words, onState, onEnd},
                                    interrupts);
   }
@@ -183,6 +165,23 @@ ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, con
   }
   if (state.failed + progress.failed > 0) return ExitCode::PluginFailed;
   return state.lost + progress.lost > 0 ? ExitCode::TrackingLost : ExitCode::Ok;
+}
+
+/// commands.txt: a line of a shell for each run, in any order or at the same time.
+void writeCommands(const std::vector<PlannedRun>& runs, const fs::path& out,
+                   const Invocation& invocation) {
+  std::string lines;
+  for (const PlannedRun& run : runs) {
+    std::vector<std::string> words = pointCommand(thisProgram(), 0, invocation);
+    words.push_back((out / run.folder).string());
+    for (std::string& word : words) {
+      boost::replace_all(word, "'", "'\\''");
+      lines += "'" + word + (&word == &words.back() ? "'\n" : "' ");
+    }
+  }
+  const fs::path file = out / "commands.txt";
+  failUnless(record::writeAtomically(file, lines));
+  printFiles({file}, invocation);
 }
 
 /// Refuses a folder of the sweep in data that its runs read: the data would change with every run.
@@ -219,30 +218,18 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
                  out, "another sweep works here; wait for its end, or choose another --out"));
   }
   failUnless(experiment::freeze(out, progress.todo, plan.runs));
-  if (command.write.empty()) return runJobs(command, progress, out, invocation);
-  const auto words = pointCommand(thisProgram(), 0, command.retry, invocation);
-  const auto written =
-      experiment::writeJobFiles(out, plan.name, progress.todo, words, command.write, configFile);
-  printFiles(valueOf(written), invocation);
+  for (const PlannedRun& run : progress.todo) {  // failed ones are to be retried
+    const fs::path folder = out / run.folder;
+    if (experiment::outcomeOf(folder).state == PointState::Failed) {
+      fs::remove(folder / "outcome.json", error);
+    }
+  }
+  if (!command.freeze) return runJobs(command, progress, out, invocation);
+  writeCommands(progress.todo, out, invocation);
   return ExitCode::Ok;
 }
 
 // Commands on the folder of a sweep.
-
-/// The runs of the folder; fails if it has none.
-experiment::FrozenRuns runsOf(const std::string& folder, ExitCode code) {
-  experiment::FrozenRuns runs = experiment::frozenRuns(folder);
-  if (runs.empty()) {
-    fail(code, folder + ": " + config::absence(folder, "holds no runs of a sweep"));
-  }
-  return runs;
-}
-
-/// Warns of runs that failed or are not done: what is written is without them.
-void warnOfUnfinished(const fs::path& sweep) {
-  const std::string text = experiment::unfinishedText(sweep);
-  if (!text.empty()) std::cerr << "warning: " + text + "\n";
-}
 
 void runPoint(const std::string& folder, experiment::PointRunOptions& options,
               Invocation& invocation) {
@@ -259,13 +246,13 @@ void runPoint(const std::string& folder, experiment::PointRunOptions& options,
   if (!outcome.message.empty()) std::cerr << outcome.message << "\n";
   invocation.exit_code = static_cast<ExitCode>(outcome.exit_code);
   if (outcome.state == PointState::Interrupted) invocation.exit_code = ExitCode::Interrupted;
-  // Its outcome.json is damaged, whatever it ended with.
-  const bool is_damaged = outcome.state == PointState::Failed && outcome.exit_code == 0;
-  if (is_damaged) invocation.exit_code = ExitCode::PluginFailed;
 }
 
 void printStatus(const std::string& folder, const Invocation& invocation) {
-  const experiment::FrozenRuns runs = runsOf(folder, ExitCode::Usage);
+  const experiment::FrozenRuns runs = experiment::frozenRuns(folder);
+  if (runs.empty()) {
+    fail(ExitCode::Usage, folder + ": " + config::absence(folder, "holds no runs of a sweep"));
+  }
   std::map<PointState, int> counts;
   int lost = 0;
   auto list = nlohmann::ordered_json::array();
@@ -301,51 +288,23 @@ void printStatus(const std::string& folder, const Invocation& invocation) {
   std::cout << failed;
 }
 
-/// collect and archive.
-struct FolderCommand {
+struct CollectCommand {
   std::string sweep;
   Output out;
   std::vector<std::string> metrics;
 };
 
-void collect(const FolderCommand& command, const Invocation& invocation) {
+void collect(const CollectCommand& command, const Invocation& invocation) {
   const std::string& out = command.out.path;
   if (!out.empty()) refuseExisting({out}, command.out.replace, "--out");
   const auto rows = valueOf(experiment::readRunRows({command.sweep}));
-  warnOfUnfinished(command.sweep);
+  const std::string unfinished = experiment::unfinishedText(command.sweep);
+  if (!unfinished.empty()) std::cerr << "warning: " + unfinished + "\n";
   if (rows.empty()) fail(ExitCode::Dataset, command.sweep + ": no run is done");
   const fs::path file = out.empty() ? fs::path(command.sweep) / "results.csv" : fs::path(out);
   failUnless(
       record::writeOutput(file, experiment::csvOf(experiment::tableOf(rows, command.metrics))));
   printFiles({file}, invocation);
-}
-
-void archive(const FolderCommand& command, const Invocation& invocation) {
-  fs::path from = fs::absolute(command.sweep).lexically_normal();
-  if (!from.has_filename()) from = from.parent_path();
-  const std::string& out = command.out.path;
-  const fs::path file = fs::absolute(out.empty() ? from.string() + ".tar.gz" : out);
-  (void)runsOf(command.sweep, ExitCode::Dataset);
-  refuseExisting({file}, command.out.replace, "--out");
-  warnOfUnfinished(from);
-  const host::ScratchFolder files("tolman-archive");
-  if (files.path().empty()) fail(ExitCode::Record, host::kNoScratchFolder);
-  failUnless(experiment::writeSweepArchive(from, files.path() / from.filename(), configFile));
-  const fs::path partial = file.string() + ".partial";
-  host::ChildProcess tar(
-      {"/usr/bin/env", "tar", "--sort=name", "--owner=0", "--group=0", "--mtime=@0", "-C",
-       files.path().string(), "-czf", partial.string(), from.filename().string()},
-      {});
-  const host::ProcessEnd end = tar.end(std::chrono::hours(24));
-  std::error_code error;
-  if (end.signal == 0 && end.exit_code == 0) {
-    fs::rename(partial, file, error);
-    if (!error) return printFiles({file}, invocation);
-  }
-  std::error_code ignored;
-  fs::remove(partial, ignored);
-  fail(ExitCode::Record,
-       file.string() + ": not written (" + (error ? error.message() : "tar " + end.text()) + ")");
 }
 
 void addSweepCommands(CLI::App& sweep, Invocation& invocation) {
@@ -357,7 +316,7 @@ void addSweepCommands(CLI::App& sweep, Invocation& invocation) {
 
   CLI::App& collecting =
       *sweep.add_subcommand("collect", "Factors and metrics of the runs that are done, as CSV");
-  auto table = std::make_shared<FolderCommand>();
+  auto table = std::make_shared<CollectCommand>();
   addArgument(collecting, "sweep", table->sweep, "FOLDER", "Folder of the sweep");
   addList(collecting, "--metric", table->metrics, "KEY",
           "Only this key of metrics.json (repeatable; default: all)");
@@ -365,19 +324,10 @@ void addSweepCommands(CLI::App& sweep, Invocation& invocation) {
                  "Replace the file of --out");
   collecting.callback([table, &invocation] { collect(*table, invocation); });
 
-  CLI::App& archiving = *sweep.add_subcommand(
-      "archive", "Configurations, digests, results and commands, to run it again elsewhere");
-  auto packed = std::make_shared<FolderCommand>();
-  addArgument(archiving, "sweep", packed->sweep, "FOLDER", "Folder of the sweep");
-  packed->out.add(archiving, "FILE", "Archive to write (default: SWEEP.tar.gz)",
-                  "Replace the file");
-  archiving.callback([packed, &invocation] { archive(*packed, invocation); });
-
   CLI::App& point = *sweep.add_subcommand("point", "Run one frozen run of a sweep");
   auto folder = std::make_shared<std::string>();
   auto options = std::make_shared<experiment::PointRunOptions>();
   addArgument(point, "run", *folder, "FOLDER", "Its folder");
-  point.add_flag("--retry", options->retry, "Run it again when it has failed");
   addOption(point, "--threads", options->threads, "N", "Threads, where the configuration has 0")
       ->check(CLI::Range(1, 1024));
   point.callback([folder, options, &invocation] { runPoint(*folder, *options, invocation); });
@@ -405,8 +355,8 @@ void addSweepCommand(CLI::App& app, Invocation& invocation) {
       ->check(CLI::Range(1, 1024));
   command.add_flag("--dry-run", options->dry_run, "Check all runs and print what is to do");
   command.add_flag("--retry", options->retry, "Run those that failed again");
-  addChoice(command, "--write", options->write, {"slurm", "parallel", "snakemake"},
-            "Freeze the runs and write what others run them with, instead of running them");
+  command.add_flag("--freeze", options->freeze,
+                   "Freeze the runs and write commands.txt, a line for each, instead of running");
   addSweepCommands(command, invocation);
   command.callback([&command, options, &invocation] {
     if (!command.get_subcommands().empty()) return;  // the subcommand has run already

@@ -9,7 +9,7 @@
 #include "app/options.hpp"
 #include "app/recording.hpp"
 #include "base/text_file.hpp"
-#include "experiment/ranking.hpp"
+#include "experiment/comparison.hpp"
 #include "record/atomic_file.hpp"
 
 namespace tolman::app {

@@ -181,7 +181,7 @@ class Evaluator {
     if (options_.offset != "estimate") return;
     const Matching wide{MatchRule::Nearest, 2'000'000'000};
     const auto found = valueOf(evaluation::associate(truth_, estimate_, wide), ExitCode::Dataset);
-    result_.clock = evaluation::clockOffset({truth_, found, true}, found);
+    result_.clock = evaluation::clockOffset(truth_, found);
     if (!result_.clock) {
       fail(ExitCode::Dataset, "the clock offset cannot be estimated: too few poses match");
     }

@@ -66,11 +66,6 @@ std::string cellsText(const evaluation::CellFigures& cells) {
   for (const evaluation::PopulationFigures& ring : cells.rings) {
     parts.push_back(errorText("heading", ring.error_deg, "deg"));
   }
-  if (!cells.sheets.empty()) {
-    const std::string modulo =
-        cells.modulo_m > 0 ? fmt::format(" (modulo {:.3g} m)", cells.modulo_m) : "";
-    parts.push_back(errorText("position", cells.position_m, "m" + modulo));
-  }
   if (!cells.reason.empty()) parts.push_back("no errors: " + cells.reason);
   std::erase(parts, "");
   return parts.empty() ? "" : fmt::format("{:<10}{}\n", "cells", fmt::join(parts, "; "));

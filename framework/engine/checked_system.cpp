@@ -186,13 +186,6 @@ host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
   });
 }
 
-bool hasChain(const SystemOptions& options) {
-  const config::Loaded loaded = config::load(options.config, options.overrides,
-                                             config::processEnvironment(), options.find_shipped);
-  return std::any_of(kChain.begin(), kChain.end(),
-                     [&](std::string_view stage) { return loaded.tree.find(stage) != nullptr; });
-}
-
 CheckedSystem checkSystem(const SystemOptions& options, Scope scope) {
   config::Loaded loaded = config::load(options.config, options.overrides,
                                        config::processEnvironment(), options.find_shipped);

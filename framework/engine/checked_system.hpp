@@ -82,10 +82,6 @@ enum class Scope : std::uint8_t {
 /// Throws Failure, which lists all problems of files, values and plugins at once.
 CheckedSystem checkSystem(const SystemOptions& options, Scope scope = Scope::All);
 
-/// Whether the configuration has any of odometry, place, cells and map. False for a file that
-/// cannot be read: checkSystem() reports why.
-bool hasChain(const SystemOptions& options);
-
 /// What the plugins of the stages declare, by the name of the stage; not of stages without a
 /// plugin.
 using StageSchemas = std::map<std::string, const Schema*, std::less<>>;

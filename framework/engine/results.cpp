@@ -15,26 +15,12 @@
 #include "record/digest.hpp"
 #include "record/export.hpp"
 #include "report/figures.hpp"
-#include "report/page.hpp"
 #include "report/svg.hpp"
 
 namespace tolman::engine {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The page of a run, evaluated by the settings of its configuration, or by the defaults if it
-/// cannot be read.
-Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitChoice& units) {
-  config::Node tree;
-  const config::SystemConfig system = configOf(run.directory(), &tree);
-  auto data =
-      report::readRun(run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
-  if (!data.isOk()) return data.status();
-  auto page = report::makePage(run.directory(), std::move(data).value(), units);
-  if (page.isOk()) page.value().settings = tree;
-  return page;
-}
 
 /// Both views of the first loops and near misses.
 void addLoopViews(report::RunPage& page, const record::RunReader& run, const ViewsOfRun& viewsOf) {
@@ -52,52 +38,32 @@ void addLoopViews(report::RunPage& page, const record::RunReader& run, const Vie
   }
 }
 
-/// The files of a report. They are written together, when all are made.
-class ReportFiles {
- public:
-  explicit ReportFiles(fs::path folder) : folder_(std::move(folder)) {}
-
-  /// Adds figures to `figures/sub`; with `pixels` as PNG, too.
-  Status addFigures(const std::string& sub, const std::vector<report::PageFigure>& figures,
-                    bool pixels) {
-    for (const report::PageFigure& figure : figures) {
-      add(sub, figure.file + ".svg", figure.svg);
+/// Writes the figures, with `pixels` as PNG too, and then the page.
+Result<std::vector<fs::path>> writePages(const std::vector<report::RunPage>& pages,
+                                         const fs::path& folder, bool pixels) {
+  std::vector<record::OutputFile> files;
+  for (const report::RunPage& page : pages) {
+    const fs::path figures = folder / "figures" / (pages.size() > 1 ? page.directory : "");
+    for (const report::PageFigure& figure : page.figures) {
+      files.push_back({figures / (figure.file + ".svg"), figure.svg});
       if (!pixels) continue;
       auto png = report::pngOf(figure.svg);
       if (!png.isOk()) return png.status();
-      add(sub, figure.file + ".png", std::move(png).value());
+      files.push_back({figures / (figure.file + ".png"), std::move(png).value()});
     }
-    return Status::ok();
-  }
-  Status addFigures(const std::string& sub, const report::RunPage& page, bool pixels) {
-    const Status status = addFigures(sub, page.figures, pixels);
-    if (!page.neurons.is_null()) add(sub, "neurons.json", page.neurons.dump() + "\n");
-    return status;
-  }
-
-  /// Writes all files, the page last.
-  Result<std::vector<fs::path>> write(std::string page) {
+    if (!page.neurons.is_null()) {
+      files.push_back({figures / "neurons.json", page.neurons.dump() + "\n"});
+    }
     std::error_code ignored;  // writing fails with a better message
-    for (const std::string& sub : subs_) fs::create_directories(folder_ / "figures" / sub, ignored);
-    fs::create_directories(folder_, ignored);
-    files_.push_back({folder_ / "report.html", std::move(page)});
-    if (Status status = record::writeOutputs(files_); !status.isOk()) return status;
-    std::vector<fs::path> written{files_.back().path};
-    for (const record::OutputFile& file : files_) {
-      if (file.path != written.front()) written.push_back(file.path);
-    }
-    return written;
+    fs::create_directories(figures, ignored);
   }
-
- private:
-  void add(const std::string& sub, const std::string& name, std::string bytes) {
-    subs_.insert(sub);
-    files_.push_back({folder_ / "figures" / sub / name, std::move(bytes)});
-  }
-  fs::path folder_;
-  std::set<std::string> subs_;
-  std::vector<record::OutputFile> files_;
-};
+  files.push_back({folder / "report.html", report::html(pages)});
+  if (Status status = record::writeOutputs(files); !status.isOk()) return status;
+  std::vector<fs::path> written{files.back().path};
+  files.pop_back();
+  for (const record::OutputFile& file : files) written.push_back(file.path);
+  return written;
+}
 
 using Parts = std::vector<std::string>;
 
@@ -117,12 +83,11 @@ std::string joined(const Parts& parts) { return fmt::format("{}", fmt::join(part
 
 }  // namespace
 
-config::SystemConfig configOf(const std::filesystem::path& run, config::Node* tree) {
+config::SystemConfig configOf(const std::filesystem::path& run) {
   const config::Loaded loaded = config::load(run / "config.resolved.yaml", {},
                                              [](const std::string&) { return std::nullopt; });
   config::Problems problems = loaded.problems;
   config::SystemConfig system = config::parse(loaded, problems);
-  if (tree != nullptr) *tree = loaded.tree;
   return problems.empty() ? system : config::SystemConfig{};
 }
 
@@ -179,41 +144,30 @@ std::vector<std::string> distinctNames(const std::vector<fs::path>& runs) {
 
 Result<std::vector<fs::path>> writeReport(
     const std::vector<std::unique_ptr<record::RunReader>>& runs, const fs::path& folder,
-    const report::UnitChoice& units, const ViewsOfRun& views) {
-  std::vector<report::RunPage> pages;
+    const ViewsOfRun& views) {
   std::vector<fs::path> directories;
   directories.reserve(runs.size());
   for (const auto& run : runs) directories.push_back(run->directory());
   const std::vector<std::string> names = distinctNames(directories);
-  for (std::size_t i = 0; i < runs.size(); ++i) {  // reads all runs before it writes a file
-    auto page = pageOf(*runs[i], units);
-    if (!page.isOk()) return page.status();
-    page.value().directory = names[i];
-    if (views) addLoopViews(page.value(), *runs[i], views);
-    pages.push_back(std::move(page).value());
+  std::vector<report::RunPage> pages;
+  for (const auto& run : runs) {  // reads all runs before it writes a file
+    const config::SystemConfig system = configOf(run->directory());
+    auto data =
+        report::readRun(*run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
+    if (!data.isOk()) return data.status();
+    pages.push_back(report::makePage(run->directory(), std::move(data).value()));
+    pages.back().directory = names[pages.size() - 1];
+    if (views) addLoopViews(pages.back(), *run, views);
   }
-  ReportFiles files(folder);
-  for (const report::RunPage& page : pages) {
-    const Status status = files.addFigures(runs.size() == 1 ? "" : page.directory, page, true);
-    if (!status.isOk()) return status;
-  }
-  const std::string comparison = report::comparisonFigure(pages);
-  if (!comparison.empty()) {
-    const Status status = files.addFigures("", {{"comparison", "", comparison}}, true);
-    if (!status.isOk()) return status;
-  }
-  return files.write(report::html(pages));
+  return writePages(pages, folder, true);
 }
 
 Status writeReport(const record::RunReader& reader, report::RunData data,
                    const std::string& run_file) {
-  auto page = report::makePage(reader.directory(), std::move(data));
-  if (!page.isOk()) return page.status();
-  page.value().provenance = nlohmann::ordered_json::parse(run_file);
-  page.value().killed = false;
-  ReportFiles files(reader.directory());
-  const Status status = files.addFigures("", page.value(), false);
-  return status.isOk() ? files.write(report::html({page.value()})).status() : status;
+  report::RunPage page = report::makePage(reader.directory(), std::move(data));
+  page.provenance = nlohmann::ordered_json::parse(run_file);
+  page.killed = false;
+  return writePages({page}, reader.directory(), false).status();
 }
 
 }  // namespace tolman::engine

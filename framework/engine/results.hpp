@@ -20,7 +20,7 @@
 namespace tolman::engine {
 
 /// The configuration of a recorded run; the defaults if it cannot be read.
-config::SystemConfig configOf(const std::filesystem::path& run, config::Node* tree = nullptr);
+config::SystemConfig configOf(const std::filesystem::path& run);
 
 /// The data of the result files, for the report.
 struct Results {
@@ -39,12 +39,10 @@ using ViewsOfRun = std::function<std::map<std::int64_t, Image>(const record::Run
 
 /// Writes report.html, figures/*.svg and *.png, and figures/neurons.json into `folder`, each
 /// atomically; with several runs the figures go to figures/RUN. Each run is evaluated by the
-/// settings in its own resolved configuration. Returns the files, the page first. InvalidParameter
-/// if a run does not have the chosen units.
+/// settings in its own resolved configuration. Returns the files, the page first.
 Result<std::vector<std::filesystem::path>> writeReport(
     const std::vector<std::unique_ptr<record::RunReader>>& runs,
-    const std::filesystem::path& folder, const report::UnitChoice& units = {},
-    const ViewsOfRun& views = {});
+    const std::filesystem::path& folder, const ViewsOfRun& views = {});
 
 /// The same for one run whose record has been read already: writes into the directory of the run,
 /// and no PNG files. `run_file`: text of the run.json that will be written after the report.

@@ -21,13 +21,6 @@ using Json = nlohmann::ordered_json;
 
 Json textOrNone(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-Json errorJson(const Statistics& error, const std::string& unit) {
-  const bool known = error.count > 0;
-  return {{"median_" + unit, known ? Json(error.median) : Json()},
-          {"p90_" + unit, known ? Json(error.p90) : Json()},
-          {"frames", error.count}};
-}
-
 /// `json` has the members of the kind of population, and gets one for each score.
 Json withScores(const PopulationFigures& of, Json json) {
   for (std::size_t i = 0; i < of.scores.kinds.size(); ++i) {
@@ -45,9 +38,6 @@ Json withScores(const PopulationFigures& of, Json json) {
 constexpr std::size_t kShuffles = 200;
 /// Shortest shift (Boccara et al. 2010), but at most a tenth of the run.
 constexpr double kMinShift = 20;  // s
-constexpr double kMargin = 0.1;   // share of the extent, around the decodable positions
-
-Eigen::Vector2d positionOf(const StampedPose& at) { return {at.pose.x, at.pose.y}; }
 
 std::vector<double> headingErrorsDeg(const PopulationHistory& ring, const StampedPoses& truth) {
   std::vector<double> errors;
@@ -63,48 +53,6 @@ std::vector<double> headingErrorsDeg(const PopulationHistory& ring, const Stampe
   return errors;
 }
 
-/// The phases of all modules by frame, for frames at which every module has one.
-std::map<std::int64_t, std::vector<ModulePhase>> phasesOf(
-    const std::vector<PopulationHistory>& sheets) {
-  std::map<std::int64_t, std::vector<ModulePhase>> phases;
-  for (const PopulationHistory& sheet : sheets) {
-    for (std::size_t i = 0; i < sheet.frames.size(); ++i) {
-      const auto phase = modulePhase(sheet.activity[i], sheet.info);
-      if (phase) phases[sheet.frames[i]].push_back(*phase);
-    }
-  }
-  std::erase_if(phases, [&](const auto& at) { return at.second.size() != sheets.size(); });
-  return phases;
-}
-
-/// Positions are decoded in the coordinates of the map, from its position at the first frame.
-void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPoses& map,
-                   const StampedPoses& truth, double scale, CellFigures& figures) {
-  if (sheets.empty()) figures.position_reason = "no grid module was recorded";
-  for (const PopulationHistory& sheet : sheets) {
-    if (figures.position_reason.empty()) figures.position_reason = noPositionReason(sheet.info);
-  }
-  if (!figures.position_reason.empty()) return;
-  Eigen::AlignedBox2d box;
-  for (const auto& [frame, at] : truth) box.extend(positionOf(at));
-  const double period = sheets[0].info.axes[0].period;
-  const Eigen::Vector2d margin =
-      Eigen::Vector2d::Constant(kMargin * box.sizes().maxCoeff() + period / 2);
-  std::vector<double> errors;
-  std::optional<PositionDecoder> decoder;
-  for (const auto& [frame, modules] : phasesOf(sheets)) {
-    const auto first = map.find(frame), at = truth.find(frame);
-    if (!decoder && first == map.end()) continue;
-    if (!decoder) {
-      decoder.emplace(modules, positionOf(first->second), box.min() - margin, box.max() + margin);
-    }
-    if (at != truth.end())
-      errors.push_back(scale * decoder->error(modules, positionOf(at->second)));
-  }
-  figures.position_m = statistics(std::move(errors));
-  if (sheets.size() == 1 && figures.position_m.count > 0) figures.modulo_m = scale * period;
-}
-
 /// Also sets figures.least_shift_s, the longest of all populations.
 Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
   const double least = std::min(kMinShift, units.seconds / 10);
@@ -118,12 +66,8 @@ Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
 }  // namespace
 
 Json toJson(const CellFigures& cells) {
-  Json position = errorJson(cells.position_m, "m");
-  position["modulo_m"] = cells.modulo_m > 0 ? Json(cells.modulo_m) : Json();
-  position["reason"] = textOrNone(cells.position_reason);
   Json json{{"places", cells.truth ? "truth" : "map"},
             {"reason", textOrNone(cells.reason)},
-            {"position_error", std::move(position)},
             {"head_direction", Json::array()},
             {"grid", Json::array()},
             {"shuffles", cells.shuffles},
@@ -132,10 +76,14 @@ Json toJson(const CellFigures& cells) {
             {"occupancy_unit", "s"},
             {"speed_limit_m_s", cells.speed_limit}};
   for (const PopulationFigures& ring : cells.rings) {
-    json["head_direction"].push_back(
-        withScores(ring, {{"array", ring.array},
-                          {"units", ring.units},
-                          {"error", errorJson(ring.error_deg, "deg")}}));
+    const Statistics& error = ring.error_deg;
+    const auto known = [&](double value) { return error.count > 0 ? Json(value) : Json(); };
+    json["head_direction"].push_back(withScores(ring, {{"array", ring.array},
+                                                       {"units", ring.units},
+                                                       {"error",
+                                                        {{"median_deg", known(error.median)},
+                                                         {"p90_deg", known(error.p90)},
+                                                         {"frames", error.count}}}}));
   }
   for (const PopulationFigures& sheet : cells.sheets) {
     json["grid"].push_back(withScores(
@@ -153,20 +101,15 @@ Json toJson(const CellFigures& cells) {
 }
 
 std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory& map,
-                                      const Trajectory& since_start, const Trajectory& truth,
-                                      const TrajectoryMetrics& scored, std::uint64_t seed) {
+                                      const Trajectory& truth, const TrajectoryMetrics& scored,
+                                      std::uint64_t seed) {
   if (cells.rings.empty() && cells.sheets.empty()) return std::nullopt;
   CellFigures figures;
   figures.truth = scored.scores.has_value();
   figures.seed = seed;
   figures.shuffles = kShuffles;
-  const StampedPoses mapped = stampedPosesOf(map);
-  const StampedPoses places = figures.truth ? stampedPosesOf(truth) : mapped;
-  if (figures.truth) {
-    scorePosition(cells.sheets, stampedPosesOf(since_start), places, scored.scores->scale, figures);
-  } else {
-    figures.reason = figures.position_reason = scored.reason;
-  }
+  if (!figures.truth) figures.reason = scored.reason;
+  const StampedPoses places = stampedPosesOf(figures.truth ? truth : map);
   for (const auto* list : {&cells.rings, &cells.sheets}) {
     for (const PopulationHistory& population : *list) {
       const bool is_ring = list == &cells.rings;

@@ -41,9 +41,6 @@ struct CellFigures {
   double speed_limit = 0;  ///< m/s; slower samples do not count in maps, curves and scores
   std::vector<PopulationFigures> rings;
   std::vector<PopulationFigures> sheets;
-  Statistics position_m;        ///< of the position that all modules decode; count 0: unknown
-  double modulo_m = 0;          ///< a single module gives positions modulo this; 0: several modules
-  std::string position_reason;  ///< why the modules give no position
 };
 
 /// Unknown numbers are null, with the cause in `reason`.
@@ -51,11 +48,9 @@ nlohmann::ordered_json toJson(const CellFigures& cells);
 
 /// None without rings and sheets. `truth` is in the coordinates of the map, and `scored` has the
 /// errors of the map. Units are measured at the true places, or without scores at those of the map.
-/// `since_start` is the map with the earlier sessions: the code of grid modules has its origin at
-/// its first frame, because cells go on from session to session.
 std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory& map,
-                                      const Trajectory& since_start, const Trajectory& truth,
-                                      const TrajectoryMetrics& scored, std::uint64_t seed);
+                                      const Trajectory& truth, const TrajectoryMetrics& scored,
+                                      std::uint64_t seed);
 
 // Errors, counts and timing of a run, and their JSON: metrics.json.
 

@@ -41,11 +41,10 @@ struct Hypothesis {
   Misfit after{};
 };
 
-using Motions = std::vector<Stretch>;
 using Pose = Eigen::Isometry3d;
 
 /// The estimate's motions scaled so that they fit the true ones best.
-double bestScale(const Motions& motions) {
+double bestScale(const Stretches& motions) {
   double products = 0, squares = 0;
   for (const Stretch& each : motions) {
     products += each.truth.translation().dot(each.estimate.translation());
@@ -54,12 +53,12 @@ double bestScale(const Motions& motions) {
   return squares > 0 && products > 0 ? products / squares : 1;
 }
 
-void scaleEstimate(Motions& motions, double scale) {
+void scaleEstimate(Stretches& motions, double scale) {
   for (Stretch& each : motions) each.estimate.translation() *= scale;
 }
 
 /// `free_scale`: after the scale that fits best.
-Misfit misfitOf(Motions motions, bool free_scale) {
+Misfit misfitOf(Stretches motions, bool free_scale) {
   if (free_scale) scaleEstimate(motions, bestScale(motions));
   double lengths = 0, apart = 0, angles = 0, turned = 0;
   for (const Stretch& each : motions) {
@@ -84,51 +83,26 @@ bool explains(const Misfit& before, const Misfit& after, double noticeable) {
          (better(before.rotation, after.rotation) && kept(before.translation, after.translation));
 }
 
-Pose withRotation(Pose T, const Eigen::Matrix3d& R) {
-  T.linear() = R;
-  return T;
-}
-Pose inverse(const Pose& T) { return T.inverse(); }
-Pose transposed(const Pose& T) { return withRotation(T, T.linear().transpose()); }
-/// x y z w, read from a file that has w x y z.
-Pose reordered(const Pose& T) {
-  const Eigen::Quaterniond q(T.linear());
-  return withRotation(T, Eigen::Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix());
-}
-template <int axis>
-Pose mirrored(const Pose& T) {
-  Pose other = T;
-  other.translation()[axis] *= -1;
-  return other;
-}
-
+/// What single poses may be instead of what is read.
 struct PoseReading {
   const char* text;
-  Pose (*meant)(const Pose&);
+  void (*mend)(Pose&);
 };
 constexpr std::array kPoseReadings = {
-    PoseReading{"poses are world to camera", inverse},
+    PoseReading{"poses are world to camera", [](Pose& T) { T = T.inverse(); }},
     PoseReading{"rotations are world to camera (transposed), or angles have the wrong sign",
-                transposed},
-    PoseReading{"quaternions are in the order w x y z", reordered},
-    PoseReading{"positions have the wrong sign in x", mirrored<0>},
-    PoseReading{"positions have the wrong sign in y", mirrored<1>},
-    PoseReading{"positions have the wrong sign in z", mirrored<2>},
+                [](Pose& T) { T.linear().transposeInPlace(); }},
+    PoseReading{"quaternions are in the order w x y z",  // read as x y z w
+                [](Pose& T) {
+                  const Eigen::Quaterniond q(T.linear());
+                  T.linear() = Eigen::Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix();
+                }},
+    PoseReading{"positions have the wrong sign in x", [](Pose& T) { T.translation().x() *= -1; }},
+    PoseReading{"positions have the wrong sign in y", [](Pose& T) { T.translation().y() *= -1; }},
+    PoseReading{"positions have the wrong sign in z", [](Pose& T) { T.translation().z() *= -1; }},
 };
 
-double angleOf(const Eigen::Matrix3d& R) {
-  return Eigen::AngleAxisd(R).angle() * 180 / std::numbers::pi;
-}
-
-Matches reversed(Matches matches) {
-  std::vector<Pose> poses;
-  for (const TrajectoryPose& pose : matches.truth) poses.push_back(pose.T_world_camera);
-  for (TrajectoryPose& pose : matches.truth) {
-    pose.T_world_camera = poses.back();
-    poses.pop_back();
-  }
-  return matches;
-}
+double angleOf(const Eigen::Matrix3d& R) { return logSo3(R).norm() * 180 / std::numbers::pi; }
 
 /// Root mean square position error, m, after an alignment.
 double alignedError(const Matches& matches) {
@@ -139,15 +113,25 @@ double alignedError(const Matches& matches) {
 /// The table of hypotheses, over stretches of several lengths.
 class Table {
  public:
-  Table(const Trajectory& truth, const Matches& matches, bool free_scale, bool by_stamp)
-      : matches_(matches),
-        time_(truth, matches, by_stamp),
-        free_scale_(free_scale),
-        offset_(clockOffset(time_, matches)),
-        arm_(extrinsicOf(matches, false)),
-        body_(extrinsicOf(matches, true)) {
-    for (const std::size_t steps : stepCounts(matches)) {
-      as_read_ = stretches(matches, steps);
+  /// `by_stamp`: estimates have their own stamps, else those of their true poses. Frames are the
+  /// seconds of a truth without stamps.
+  Table(Trajectory truth, Matches matches, bool free_scale, bool by_stamp)
+      : truth_(std::move(truth)), matches_(std::move(matches)), free_scale_(free_scale) {
+    constexpr double kSeconds = 2, kFrames = 20;  // largest offset
+    in_frames_ = !hasStamps(truth_);
+    for (Trajectory* path : {&truth_, &matches_.truth}) {
+      for (TrajectoryPose& pose : *path) {
+        if (in_frames_) pose.stamp_ns = 1'000'000'000 * pose.frame;
+      }
+    }
+    for (std::size_t i = 0; i < matches_.size(); ++i) {
+      if (in_frames_ || !by_stamp) matches_.estimate[i].stamp_ns = matches_.truth[i].stamp_ns;
+    }
+    offset_ = clockOffset(truth_, matches_, in_frames_ ? kFrames : kSeconds);
+    arm_ = extrinsicOf(matches_, false);
+    body_ = extrinsicOf(matches_, true);
+    for (const std::size_t steps : stepCounts(matches_)) {
+      as_read_ = stretches(matches_, steps);
       if (as_read_.size() < kFewestStretches) continue;
       before_ = misfitOf(as_read_, free_scale_);
       tryPoses(steps);
@@ -171,7 +155,7 @@ class Table {
   }
 
  private:
-  void add(const std::string& name, const std::string& text, const Motions& motions,
+  void add(const std::string& name, const std::string& text, const Stretches& motions,
            double noticeable = kNoticeable) {
     const Misfit after = misfitOf(motions, free_scale_);
     if (explains(before_, after, noticeable)) found_.push_back({name, text, before_, after});
@@ -182,25 +166,30 @@ class Table {
       for (const bool is_truth : {true, false}) {
         Matches other = matches_;
         for (TrajectoryPose& pose : is_truth ? other.truth : other.estimate) {
-          pose.T_world_camera = reading.meant(pose.T_world_camera);
+          reading.mend(pose.T_world_camera);
         }
         const std::string text =
             std::string(is_truth ? "the true " : "the estimated ") + reading.text;
         add(text, text, stretches(other, steps));
       }
     }
-    add("order", "the true poses are in reverse order", stretches(reversed(matches_), steps));
+    Matches reversed = matches_;
+    for (std::size_t i = 0; i < matches_.size(); ++i) {
+      reversed.truth[i].T_world_camera = matches_.truth[matches_.size() - 1 - i].T_world_camera;
+    }
+    add("order", "the true poses are in reverse order", stretches(reversed, steps));
   }
 
   void tryBodies() {
     const Eigen::Matrix3d axes = bestAxes(as_read_, 1);
+    const Eigen::Vector3d here = Eigen::Vector3d::Zero();
     add("axes",
         fmt::format("the truth is of a body whose axes are turned by {:.0f} degrees against those "
                     "of the camera (x right, y down, z forward)",
                     angleOf(axes)),
-        turned(as_read_, axes));
+        seenFrom(as_read_, axes, here));
     add("mirror", "one of the two has left-handed axes, or an axis of the wrong sign",
-        turned(as_read_, bestAxes(as_read_, -1)));
+        seenFrom(as_read_, bestAxes(as_read_, -1), here));
   }
 
   void tryLengths() {
@@ -208,7 +197,7 @@ class Table {
     constexpr double kTurned = 10;  // degrees; else it is the point alone
     const double scale = bestScale(as_read_);
     if (scale * kUnits < 1 || scale > kUnits) {
-      Motions scaled = as_read_;
+      Stretches scaled = as_read_;
       scaleEstimate(scaled, scale);
       add("scale",
           fmt::format("the estimate is multiplied by {:.3g} (units of one of the two, or the "
@@ -216,43 +205,41 @@ class Table {
                       scale),
           scaled);
     }
-    if (armExplains()) {
-      add("arm", "the truth is of a point at " + armText(arm_), shifted(as_read_, arm_.arm), 0.02);
+    // An arm is a small part of the motion of a vehicle, but clear in its positions.
+    Matches moved = matches_;
+    moved.truth = ofBody(std::move(moved.truth), Pose(Eigen::Translation3d(-arm_.arm)));
+    if (alignedError(moved) < kArm * alignedError(matches_)) {
+      add("arm", "the truth is of a point at " + armText(arm_),
+          seenFrom(as_read_, arm_.R, arm_.arm), 0.02);
     }
     if (angleOf(body_.R) < kTurned) return;
     add("body",
         fmt::format("the truth is of a body at {} whose axes are turned by {:.0f} degrees",
                     armText(body_), angleOf(body_.R)),
-        shifted(turned(as_read_, body_.R), body_.arm));
-  }
-
-  /// An arm is a small part of the motion of a vehicle, but clear in its positions.
-  bool armExplains() const {
-    Matches moved = matches_;
-    moved.truth = ofBody(std::move(moved.truth), Pose(Eigen::Translation3d(-arm_.arm)));
-    return alignedError(moved) < kArm * alignedError(matches_);
+        seenFrom(as_read_, body_.R, body_.arm));
   }
 
   void tryTime(std::size_t steps) {
     const double late = offset_->seconds;
     const std::string text =
-        time_.inFrames() ? fmt::format("the truth is given {:.1f} frames {}", std::fabs(late),
-                                       late < 0 ? "early" : "late")
-                         : fmt::format("the clock of the estimate is {:.3f} s {} that of the truth",
-                                       std::fabs(late), late < 0 ? "ahead of" : "behind");
-    const Motions motions = stretches(delayed(time_, matches_, late), steps);
+        in_frames_ ? fmt::format("the truth is given {:.1f} frames {}", std::fabs(late),
+                                 late < 0 ? "early" : "late")
+                   : fmt::format("the clock of the estimate is {:.3f} s {} that of the truth",
+                                 std::fabs(late), late < 0 ? "ahead of" : "behind");
+    const Stretches motions = stretches(delayed(truth_, matches_, late), steps);
     if (misfitOf(motions, free_scale_).rotation < kBetterShare * before_.rotation) {
       add("time", text, motions);
     }
   }
 
-  const Matches& matches_;
-  TruthOverTime time_;
+  Trajectory truth_;
+  Matches matches_;
   bool free_scale_;
+  bool in_frames_ = false;
   std::optional<ClockOffset> offset_;
   Extrinsic arm_;
   Extrinsic body_;
-  Motions as_read_;
+  Stretches as_read_;
   Misfit before_;
   std::vector<Hypothesis> found_;
 };
@@ -306,7 +293,7 @@ std::string sessionText(const Matches& matches, bool free_scale) {
   }
   if (begins.size() < 2) return "";
   begins.push_back(matches.size());
-  std::vector<Stretch> within, across;
+  Stretches within, across;
   for (std::size_t part = 0; part < kParts; ++part) {
     const auto at = [&](std::size_t session, std::size_t of) {
       return begins[session] + of * (begins[session + 1] - begins[session] - 1) / kParts;

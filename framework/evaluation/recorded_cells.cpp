@@ -161,32 +161,6 @@ namespace {
 /// A population vector shorter than this share of all activity is a rounding error.
 constexpr double kMinLength = 1e-6;
 
-/// The place from `low` to `high` along one axis that fits the phases of all modules best, by their
-/// precision (1 / period^2); the lowest of equal ones.
-double bestPlace(const std::vector<ModulePhase>& modules, const std::vector<ModulePhase>& origin,
-                 Eigen::Index axis, double low, double high) {
-  double least = HUGE_VAL, best = low;
-  const auto value = [&](std::size_t i) { return modules[i].phase(axis) - origin[i].phase(axis); };
-  const auto coarse = static_cast<std::size_t>(
-      std::ranges::max_element(modules, {}, &ModulePhase::period) - modules.begin());
-  const double period = modules[coarse].period;
-  const double first = low + wrapPeriod(value(coarse) - low, period);
-  for (double place = first; place <= high || place == first; place += period) {
-    double sum = 0, weights = 0, squares = 0;
-    for (std::size_t i = 0; i < modules.size(); ++i) {
-      const double off = std::remainder(value(i) - place, modules[i].period);
-      const double weight = 1 / (modules[i].period * modules[i].period);
-      sum += weight * off;
-      squares += weight * off * off;
-      weights += weight;
-    }
-    const double shift = sum / weights;
-    const double misfit = squares - shift * sum;
-    if (misfit < least - 1e-12) least = misfit, best = place + shift;
-  }
-  return best;
-}
-
 }  // namespace
 
 std::size_t unitsAlong(const ArrayAxis& axis) {
@@ -205,64 +179,10 @@ std::optional<double> populationVector(std::span<const double> rates, const Arra
   return wrapPeriod(std::arg(sum) / kRadiansOfTurn * axis.period, axis.period);
 }
 
-std::string noPositionReason(const ArrayInfo& sheet) {
-  if (sheet.axes.size() != 2) return sheet.name + " has not two axes";
-  for (const ArrayAxis& axis : sheet.axes) {
-    if (axis.name != "x" && axis.name != "y") return "an axis of " + sheet.name + " is not x or y";
-    if (axis.unit != "m") {
-      return "the axes of " + sheet.name + " are in " +
-             (axis.unit.empty() ? "no unit" : axis.unit) + ", not in m";
-    }
-  }
-  const bool square = sheet.axes[0].period == sheet.axes[1].period;
-  return square ? "" : "the axes of " + sheet.name + " differ in period";
-}
-
-std::optional<ModulePhase> modulePhase(std::span<const float> rates, const ArrayInfo& sheet) {
-  const ArrayAxis& rows = sheet.axes[0];
-  const ArrayAxis& columns = sheet.axes[1];
-  const std::size_t width = unitsAlong(columns);
-  if (rates.size() != unitsAlong(rows) * width) return std::nullopt;
-  std::vector<double> by_row(unitsAlong(rows), 0);
-  std::vector<double> by_column(width, 0);
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    by_row[i / width] += static_cast<double>(rates[i]);
-    by_column[i % width] += static_cast<double>(rates[i]);
-  }
-  const auto row = populationVector(by_row, rows);
-  const auto column = populationVector(by_column, columns);
-  if (!row || !column) return std::nullopt;
-  if (rows.name == "x") return ModulePhase{{*row, *column}, rows.period};
-  return ModulePhase{{*column, *row}, rows.period};
-}
-
-PositionDecoder::PositionDecoder(const std::vector<ModulePhase>& modules,
-                                 const Eigen::Vector2d& position, const Eigen::Vector2d& low,
-                                 const Eigen::Vector2d& high)
-    : origin_(modules), low_(low), high_(high) {
-  for (ModulePhase& module : origin_) module.phase -= position;
-}
-
-Eigen::Vector2d PositionDecoder::decode(const std::vector<ModulePhase>& modules) const {
-  Eigen::Vector2d place;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    place(axis) = bestPlace(modules, origin_, axis, low_(axis), high_(axis));
-  }
-  return place;
-}
-
-double PositionDecoder::error(const std::vector<ModulePhase>& modules,
-                              const Eigen::Vector2d& position) const {
-  const Eigen::Vector2d off = decode(modules) - position;
-  if (modules.size() > 1) return off.norm();
-  return std::hypot(std::remainder(off.x(), modules[0].period),
-                    std::remainder(off.y(), modules[0].period));
-}
-
 namespace {
 
 constexpr double kFarthest = 1e7;             // m
-constexpr std::size_t kMaxOthers = 240;       // frames; a figure cannot show more columns
+constexpr std::size_t kMinFrames = 240;       // of a population, however large
 constexpr std::size_t kMaxFrames = 5000;      // of a population; beyond it every second is dropped
 constexpr std::size_t kMaxValues = 10000000;  // of a population, all frames together
 constexpr std::size_t kMaxRingUnits = 72;
@@ -304,10 +224,9 @@ StampedPoses stampedPosesOf(const Trajectory& trajectory) {
   return poses;
 }
 
-void PopulationHistory::add(std::int64_t frame, NamedArray&& array, std::size_t most) {
-  if (array.values.empty()) return;
-  if (shape.empty()) shape = array.shape;
-  if (array.shape != shape || seen++ % stride != 0) return;
+void PopulationHistory::add(std::int64_t frame, NamedArray&& array) {
+  if (array.values.empty() || array.shape != shape || seen++ % stride != 0) return;
+  const std::size_t most = std::clamp(kMaxValues / array.values.size(), kMinFrames, kMaxFrames);
   frames.push_back(frame);
   activity.push_back(std::move(array.values));
   if (frames.size() <= most) return;
@@ -320,9 +239,9 @@ CellHistory::CellHistory(const std::vector<ArrayInfo>& infos) {
   for (const ArrayInfo& info : infos) {
     const bool ring = isPopulation(info) && info.axes.size() == 1 && isAngle(info.axes[0]);
     const bool sheet = isPopulation(info) && info.axes.size() == 2;
-    PopulationHistory& history = (ring ? rings : sheet ? sheets : others).emplace_back();
-    history.info = info;
     if (!ring && !sheet) continue;
+    PopulationHistory& history = (ring ? rings : sheets).emplace_back();
+    history.info = info;
     for (const ArrayAxis& axis : info.axes) {
       history.shape.push_back(static_cast<int>(unitsAlong(axis)));
     }
@@ -330,21 +249,15 @@ CellHistory::CellHistory(const std::vector<ArrayInfo>& infos) {
 }
 
 void CellHistory::add(std::int64_t frame, NamedArray&& array) {
-  for (auto* list : {&rings, &sheets, &others}) {
+  for (auto* list : {&rings, &sheets}) {
     const auto known = std::ranges::find(
         *list, array.name, [](const PopulationHistory& history) { return history.info.name; });
-    if (known == list->end()) continue;
-    const std::size_t size = std::max<std::size_t>(array.values.size(), 1);
-    const std::size_t most = std::clamp(kMaxValues / size, kMaxOthers, kMaxFrames);
-    known->add(frame, std::move(array), list == &others ? kMaxOthers : most);
-    return;
+    if (known != list->end()) return known->add(frame, std::move(array));
   }
-  others.emplace_back().info.name = array.name;
-  others.back().add(frame, std::move(array), kMaxOthers);
 }
 
 void CellHistory::dropEmpty() {
-  for (auto* list : {&rings, &sheets, &others}) {
+  for (auto* list : {&rings, &sheets}) {
     std::erase_if(*list, [](const PopulationHistory& history) { return history.frames.empty(); });
   }
 }

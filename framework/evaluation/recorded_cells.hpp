@@ -104,7 +104,7 @@ struct Lattice {
 };
 Lattice bestLattice(const PopulationScores& sheet);
 
-// Decodes the rates of populations: heading from a ring, position from grid modules.
+// Decodes the heading from the rates of a ring.
 
 /// Number of units along a periodic axis; 0 without a step.
 std::size_t unitsAlong(const ArrayAxis& axis);
@@ -113,35 +113,6 @@ std::size_t unitsAlong(const ArrayAxis& axis);
 /// Kettner 1986), in the unit of the axis, in [0, period). None if there is no activity, or the
 /// same activity everywhere.
 std::optional<double> populationVector(std::span<const double> rates, const ArrayAxis& axis);
-
-/// Position modulo a period, decoded from one grid module by its population vectors.
-struct ModulePhase {
-  Eigen::Vector2d phase = Eigen::Vector2d::Zero();  ///< x and y
-  double period = 1;
-};
-/// Why a population gives no position; empty for equal periods in m along axes x and y.
-std::string noPositionReason(const ArrayInfo& sheet);
-/// `sheet` must have an empty noPositionReason(). None where the activity has no phase.
-std::optional<ModulePhase> modulePhase(std::span<const float> rates, const ArrayInfo& sheet);
-
-/// Decodes positions (m) from the phases of grid modules, and compares them with true positions.
-class PositionDecoder {
- public:
-  /// Within [low, high]. `modules` are the phases at `position`: the origin of the code.
-  PositionDecoder(const std::vector<ModulePhase>& modules, const Eigen::Vector2d& position,
-                  const Eigen::Vector2d& low, const Eigen::Vector2d& high);
-
-  /// The position that fits the phases of all modules best. The errors of a phase are assumed to be
-  /// proportional to the period (Fiete, Burak, Brookings 2008).
-  Eigen::Vector2d decode(const std::vector<ModulePhase>& modules) const;
-  /// Distance from `position` to the decoded one, m; modulo the period if there is only one module.
-  double error(const std::vector<ModulePhase>& modules, const Eigen::Vector2d& position) const;
-
- private:
-  std::vector<ModulePhase> origin_;
-  Eigen::Vector2d low_;
-  Eigen::Vector2d high_;
-};
 
 // The recorded arrays of the spatial cells, sorted by their descriptions (ArrayInfo). Their size is
 // bounded for runs of any length.
@@ -157,25 +128,24 @@ StampedPoses stampedPosesOf(const Trajectory& trajectory);
 
 /// One array at evenly spaced frames.
 struct PopulationHistory {
-  ArrayInfo info;  ///< only the name is set if the array has no description
+  ArrayInfo info;
   std::vector<int> shape;
   std::vector<std::int64_t> frames;
   std::vector<std::vector<float>> activity;  ///< one row per frame, as large as the shape
   std::size_t stride = 1;                    ///< every stride-th array was kept
   std::size_t seen = 0;
 
-  /// Keeps at most `most` arrays, and none of another shape.
-  void add(std::int64_t frame, NamedArray&& array, std::size_t most);
+  /// Keeps at most 5000 arrays, fewer of large ones, and none of another shape.
+  void add(std::int64_t frame, NamedArray&& array);
 };
 
 struct CellHistory {
   std::vector<PopulationHistory> rings;   ///< head direction: activity over one axis of angles
   std::vector<PopulationHistory> sheets;  ///< grid modules: activity over two periodic axes
-  std::vector<PopulationHistory> others;  ///< all other arrays, at no more than 240 frames
 
   CellHistory() = default;
   explicit CellHistory(const std::vector<ArrayInfo>& infos);
-  /// The arrays of the cells, frame by frame.
+  /// The arrays of the cells, frame by frame; those that are no population are left out.
   void add(std::int64_t frame, NamedArray&& array);
   /// Removes arrays that were described but not recorded.
   void dropEmpty();

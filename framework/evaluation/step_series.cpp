@@ -26,7 +26,7 @@ constexpr double kStill = 0.1;   // of the other's motion
 constexpr double kMoves = 0.25;  // of the usual true motion
 
 double length(const Eigen::Isometry3d& motion) { return motion.translation().norm(); }
-double angle(const Eigen::Isometry3d& motion) { return Eigen::AngleAxisd(motion.linear()).angle(); }
+double angle(const Eigen::Isometry3d& motion) { return logSo3(motion.linear()).norm(); }
 double median(std::vector<double> values) { return statistics(std::move(values)).median; }
 
 /// Distances from the median in standard deviations, estimated from the median distance.
@@ -40,7 +40,7 @@ std::vector<double> robustScores(std::vector<double> values, double least_spread
 }
 
 /// Median length of the motions that are not zero.
-double usualLength(const std::vector<Stretch>& stretches, Eigen::Isometry3d Stretch::*motion) {
+double usualLength(const Stretches& stretches, Eigen::Isometry3d Stretch::*motion) {
   std::vector<double> lengths;
   for (const Stretch& each : stretches) lengths.push_back(length(each.*motion));
   std::erase(lengths, 0);
@@ -65,16 +65,20 @@ class Breaks {
     std::string text;
     for (std::size_t i = 0; i < scores_.size(); ++i) {
       const double score = std::max(std::fabs(scores_[i]), turns_[i]);
-      const char* cause = score > worst ? causeOf(i) : nullptr;
-      if (cause == nullptr) continue;
+      const bool is_jump = score > worst && truthJumpsIn(i);
+      if (!is_jump && !(score > worst && restartsIn(i))) continue;
       worst = score;
       const auto motion = [](const Eigen::Isometry3d& m) {
         return fmt::format("moves {:.3g} m and turns {:.3g} degrees", length(m),
                            angle(m) * 180 / std::numbers::pi);
       };
-      text = fmt::format("from frame {} to {} the truth {} and the estimate {}: {}",
-                         frame(at(i).first), frame(at(i).last), motion(at(i).truth),
-                         motion(at(i).estimate), cause);
+      text = fmt::format(
+          "from frame {} to {} the truth {} and the estimate {}: {}", frame(at(i).first),
+          frame(at(i).last), motion(at(i).truth), motion(at(i).estimate),
+          is_jump ? "the truth jumps. Is a pose missing or wrong, or are its parts of different "
+                    "drives? All errors are wrong if so"
+                  : "the estimate starts again at its origin. Score its parts one by one; errors "
+                    "over both say nothing");
     }
     return text;
   }
@@ -96,8 +100,7 @@ class Breaks {
       if (run > best) best = run, end = i;
     }
     if (best < fewest) return "";
-    const std::size_t first = at(end + 1 - best).first;
-    const std::size_t last = at(end).last;
+    const std::size_t first = at(end + 1 - best).first, last = at(end).last;
     const double way = distance(is_truth ? matches_.estimate : matches_.truth, first, last);
     const double usual = usual_ * (is_truth ? scale_ : 1) * static_cast<double>(best);
     if (way < kMoves * usual) return "";  // the drift of an estimate at a standstill
@@ -119,29 +122,29 @@ class Breaks {
       ratios.push_back(series_.log_ratio[i]);
       pairs.push_back(at(i).first);
     }
-    double best = HUGE_VAL;
-    std::string text;
+    double left = HUGE_VAL;  // sum of squares about the means of both parts
+    std::size_t best = 0;
+    Statistics before, after;
     for (auto split = kFewest; split + kFewest <= std::ssize(ratios); ++split) {
-      const Statistics before = statistics({ratios.begin(), ratios.begin() + split});
-      const Statistics after = statistics({ratios.begin() + split, ratios.end()});
+      const Statistics a = statistics({ratios.begin(), ratios.begin() + split});
+      const Statistics b = statistics({ratios.begin() + split, ratios.end()});
       const auto squares = [](const Statistics& s) {
         return static_cast<double>(s.count - 1) * s.deviation * s.deviation;
       };
-      const double left = squares(before) + squares(after);
-      if (left >= best) continue;
-      best = left;
-      const double deviation = std::sqrt(left / static_cast<double>(ratios.size()));
-      const bool is_change =
-          std::fabs(after.mean - before.mean) >= std::max(least, kOutlier * deviation);
-      text = !is_change ? ""
-                        : fmt::format(
-                              "the estimate is {:.3g} times as long as the truth until frame {}, "
-                              "and {:.3g} times from there on: does the truth change its unit, or "
-                              "the estimate its scale? All errors are wrong if so",
-                              std::exp(before.mean), frame(pairs[static_cast<std::size_t>(split)]),
-                              std::exp(after.mean));
+      if (squares(a) + squares(b) >= left) continue;
+      left = squares(a) + squares(b);
+      best = static_cast<std::size_t>(split);
+      before = a;
+      after = b;
     }
-    return text;
+    const double deviation = std::sqrt(left / static_cast<double>(ratios.size()));
+    const double change = std::fabs(after.mean - before.mean);
+    if (best == 0 || change < std::max(least, kOutlier * deviation)) return "";
+    return fmt::format(
+        "the estimate is {:.3g} times as long as the truth until frame {}, and {:.3g} times from "
+        "there on: does the truth change its unit, or the estimate its scale? All errors are wrong "
+        "if so",
+        std::exp(before.mean), frame(pairs[best]), std::exp(after.mean));
   }
 
  private:
@@ -159,29 +162,19 @@ class Breaks {
     }
     return true;
   }
-
-  const char* causeOf(std::size_t i) const {
-    const auto truth = [](const Stretch& s) { return length(s.truth); };
+  bool truthJumpsIn(std::size_t i) const {
+    const auto way = [](const Stretch& s) { return length(s.truth); };
     const auto turn = [](const Stretch& s) { return angle(s.truth); };
-    const bool is_jump =
-        scores_[i] < -kOutlier && truth(at(i)) > kTimes * usual_ && isAlone(i, truth);
-    const bool is_turn = turns_[i] > kOutlier && turn(at(i)) > kTimes * angle(at(i).estimate);
-    if (is_jump || (is_turn && isAlone(i, turn))) {
-      return "the truth jumps. Is a pose missing or wrong, or are its parts of different drives? "
-             "All errors are wrong if so";
-    }
-    if (!restartsIn(i)) return nullptr;
-    return "the estimate starts again at its origin. Score its parts one by one; errors over both "
-           "say nothing";
+    const bool jumps = scores_[i] < -kOutlier && way(at(i)) > kTimes * usual_;
+    const bool turns = turns_[i] > kOutlier && turn(at(i)) > kTimes * angle(at(i).estimate);
+    return (jumps && isAlone(i, way)) || (turns && isAlone(i, turn));
   }
-
   bool restartsIn(std::size_t i) const {
     const auto estimate = [](const Stretch& s) { return length(s.estimate); };
     const double way = estimate(at(i));
     return scores_[i] > kOutlier && way > kTimes * scale_ * usual_ &&
            distance(matches_.estimate, 0, at(i).last) < kStill * way && isAlone(i, estimate);
   }
-
   bool stands(std::size_t i, bool is_truth) const {
     if ((is_truth ? scores_[i] : -scores_[i]) < kOutlier) return false;
     const double truth = scale_ * length(at(i).truth), estimate = length(at(i).estimate);
@@ -206,8 +199,8 @@ Stretch stretchBetween(const Matches& matches, std::size_t first, std::size_t la
   return {first, last, motion(matches.truth), motion(matches.estimate)};
 }
 
-std::vector<Stretch> stretches(const Matches& matches, std::size_t steps) {
-  std::vector<Stretch> result;
+Stretches stretches(const Matches& matches, std::size_t steps) {
+  Stretches result;
   std::size_t first = 0;
   for (std::size_t i = 1; i < matches.size(); ++i) {
     const bool is_whole = matches.estimate[i - 1].tracked && matches.estimate[i].tracked &&
@@ -218,6 +211,15 @@ std::vector<Stretch> stretches(const Matches& matches, std::size_t steps) {
     first = i;
   }
   return result;
+}
+
+std::vector<std::size_t> stepCounts(const Matches& matches) {
+  std::vector<std::size_t> counts;
+  for (const std::size_t parts : {400U, 100U, 25U}) {
+    counts.push_back(std::max<std::size_t>(1, matches.size() / parts));
+  }
+  counts.erase(std::ranges::unique(counts).begin(), counts.end());
+  return counts;
 }
 
 StepSeries stepSeries(const Matches& matches, std::size_t steps) {
@@ -251,11 +253,8 @@ std::vector<std::string> breaksOf(const Matches& matches) {
 
 namespace {
 
-using Motions = std::vector<Stretch>;
-constexpr std::int64_t kNanoseconds = 1'000'000'000;  // of a second, or of a frame
-
 /// (R - I) arm = truth - estimate for each motion; R and both translations in camera axes.
-Extrinsic armOf(const Motions& motions) {
+Extrinsic armOf(const Stretches& motions) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Stretch& each : motions) {
@@ -278,7 +277,7 @@ Extrinsic armOf(const Motions& motions) {
     }
   }
   double left = 1e-18;
-  for (const Stretch& each : shifted(motions, extrinsic.arm)) {
+  for (const Stretch& each : seenFrom(motions, extrinsic.R, extrinsic.arm)) {
     left += (each.truth.translation() - each.estimate.translation()).squaredNorm();
   }
   const double freedom = 3 * static_cast<double>(motions.size()) - 3;
@@ -287,38 +286,27 @@ Extrinsic armOf(const Motions& motions) {
 }
 
 /// Axes and arm together, in turn.
-Extrinsic axesAndArm(const Motions& motions) {
+Extrinsic axesAndArm(const Stretches& motions) {
   Extrinsic extrinsic;
-  Motions moved = motions;
+  Stretches moved = motions;
   for (int i = 0; i < 20; ++i) {
     const Eigen::Matrix3d R = bestAxes(moved, 1);
-    extrinsic = armOf(turned(motions, R));
+    extrinsic = armOf(seenFrom(motions, R, Eigen::Vector3d::Zero()));
     extrinsic.R = R;
-    moved = shifted(motions, R.transpose() * extrinsic.arm);
+    moved = seenFrom(motions, Eigen::Matrix3d::Identity(), R.transpose() * extrinsic.arm);
   }
   return extrinsic;
 }
 
-/// Mean squared difference of the angles of turns, rad^2, with the truth `offset` later.
-double turnsApart(const TruthOverTime& truth, const Motions& motions, double offset) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const Stretch& each : motions) {
-    const auto from = truth.at(each.first, offset);
-    const auto to = truth.at(each.last, offset);
-    if (!from || !to) continue;
-    const double turn =
-        logSo3((from->T_world_camera.inverse() * to->T_world_camera).linear()).norm();
-    const double apart = turn - logSo3(each.estimate.linear()).norm();
-    sum += apart * apart;
-    ++count;
-  }
-  return 2 * count > motions.size() ? sum / static_cast<double>(count) : HUGE_VAL;
+/// The truth at the time of pair `i` and `offset` seconds later.
+std::optional<PoseAt> truthAt(const Trajectory& truth, const Matches& matches, std::size_t i,
+                              double offset) {
+  return poseAt(truth, matches.estimate[i].stamp_ns + std::llround(offset * 1e9));
 }
 
 }  // namespace
 
-Eigen::Matrix3d bestAxes(const Motions& motions, double determinant) {
+Eigen::Matrix3d bestAxes(const Stretches& motions, double determinant) {
   Eigen::Matrix3d ways = Eigen::Matrix3d::Zero(), turns = ways;
   double lengths = 1e-30, angles = 1e-30;
   for (const Stretch& each : motions) {
@@ -338,26 +326,12 @@ Eigen::Matrix3d bestAxes(const Motions& motions, double determinant) {
   return u * svd.matrixV().transpose();
 }
 
-Motions turned(Motions motions, const Eigen::Matrix3d& axes) {
+Stretches seenFrom(Stretches motions, const Eigen::Matrix3d& axes, const Eigen::Vector3d& arm) {
   for (Stretch& each : motions) {
     each.truth.linear() = axes * each.truth.linear() * axes.transpose();
-    each.truth.translation() = axes * each.truth.translation();
+    each.truth.translation() = axes * each.truth.translation() + arm - each.truth.linear() * arm;
   }
   return motions;
-}
-
-Motions shifted(Motions motions, const Eigen::Vector3d& arm) {
-  for (Stretch& each : motions) each.truth.translation() += arm - each.truth.linear() * arm;
-  return motions;
-}
-
-std::vector<std::size_t> stepCounts(const Matches& matches) {
-  std::vector<std::size_t> counts;
-  for (const std::size_t parts : {400U, 100U, 25U}) {
-    counts.push_back(std::max<std::size_t>(1, matches.size() / parts));
-  }
-  counts.erase(std::ranges::unique(counts).begin(), counts.end());
-  return counts;
 }
 
 Extrinsic extrinsicOf(const Matches& matches, bool with_axes) {
@@ -366,7 +340,7 @@ Extrinsic extrinsicOf(const Matches& matches, bool with_axes) {
   };
   std::optional<Extrinsic> best;
   for (const std::size_t steps : stepCounts(matches)) {
-    const Motions motions = stretches(matches, steps);
+    const Stretches motions = stretches(matches, steps);
     const Extrinsic found = with_axes ? axesAndArm(motions) : armOf(motions);
     if (!best || weight(found) < weight(*best)) best = found;
   }
@@ -374,24 +348,19 @@ Extrinsic extrinsicOf(const Matches& matches, bool with_axes) {
 }
 
 Result<Extrinsic> parseBody(const std::string& text) {
-  const auto refuse = [] {
+  std::vector<double> v;
+  for (const std::string_view word : text_encoding::splitFields(text)) {
+    v.push_back(text_encoding::parseNumber(word).value_or(NAN));
+  }
+  const bool is_whole = v.size() == 7;
+  const Eigen::Quaterniond q =
+      is_whole ? Eigen::Quaterniond(v[6], v[3], v[4], v[5]) : Eigen::Quaterniond::Identity();
+  const bool is_known = std::ranges::none_of(v, [](double value) { return std::isnan(value); });
+  if ((!is_whole && v.size() != 3) || !is_known || std::fabs(q.norm() - 1) > 0.01) {
     return Status::invalidParameter(
         "give x,y,z in m or x,y,z,qx,qy,qz,qw with a quaternion of length 1, or estimate");
-  };
-  std::vector<double> values;
-  for (const std::string_view word : text_encoding::splitFields(text)) {
-    const auto value = text_encoding::parseNumber(word);
-    if (!value) return refuse();
-    values.push_back(*value);
   }
-  if (values.size() != 3 && values.size() != 7) return refuse();
-  Extrinsic body;
-  body.arm = {values[0], values[1], values[2]};
-  if (values.size() == 3) return body;
-  const Eigen::Quaterniond q(values[6], values[3], values[4], values[5]);
-  if (std::fabs(q.norm() - 1) > 0.01) return refuse();
-  body.R = q.normalized().toRotationMatrix();
-  return body;
+  return Extrinsic{q.normalized().toRotationMatrix(), {v[0], v[1], v[2]}};
 }
 
 std::string armText(const Extrinsic& extrinsic) {
@@ -407,11 +376,12 @@ std::string armText(const Extrinsic& extrinsic) {
 }
 
 nlohmann::ordered_json toJson(const Extrinsic& body) {
-  nlohmann::ordered_json arm(3, nullptr), sigma(3, nullptr);
+  using Json = nlohmann::ordered_json;
+  Json arm, sigma;
   for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(body.sigma[i])) continue;
-    arm[static_cast<std::size_t>(i)] = body.arm[i];
-    sigma[static_cast<std::size_t>(i)] = body.sigma[i];
+    const bool is_known = std::isfinite(body.sigma[i]);
+    arm.push_back(is_known ? Json(body.arm[i]) : Json());
+    sigma.push_back(is_known ? Json(body.sigma[i]) : Json());
   }
   const Eigen::Quaterniond q(body.R);
   return {{"arm_m", arm}, {"sigma_m", sigma}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
@@ -425,65 +395,54 @@ std::optional<Extrinsic> bodyOf(const Matches& matches) {
   return logSo3(body.R).norm() > kTurned ? body : extrinsicOf(matches, false);
 }
 
-TruthOverTime::TruthOverTime(Trajectory truth, const Matches& matches, bool by_stamp)
-    : in_frames_(!hasStamps(truth)), truth_(std::move(truth)) {
-  const auto stampOf = [&](const TrajectoryPose& pose) {
-    return in_frames_ ? pose.frame * kNanoseconds : pose.stamp_ns;
-  };
-  for (TrajectoryPose& pose : truth_) pose.stamp_ns = stampOf(pose);
-  for (const auto& pose : by_stamp && !in_frames_ ? matches.estimate : matches.truth) {
-    pairs_.push_back(stampOf(pose));
-  }
-}
-
-double TruthOverTime::periodOfPairs() const {
-  return static_cast<double>(pairs_.back() - pairs_.front()) / kNanoseconds /
-         static_cast<double>(pairs_.size());
-}
-
-double TruthOverTime::duration() const {
-  return static_cast<double>(truth_.back().stamp_ns - truth_.front().stamp_ns) / kNanoseconds;
-}
-
-std::optional<PoseAt> TruthOverTime::at(std::size_t i, double offset) const {
-  return poseAt(truth_, pairs_[i] + std::llround(offset * kNanoseconds));
-}
-
-std::optional<ClockOffset> clockOffset(const TruthOverTime& truth, const Matches& matches) {
-  constexpr double kSeconds = 2, kFrames = 20;  // largest offset
-  constexpr std::size_t kMost = 1000;           // motions
-  constexpr std::size_t kFewest = 10;
-  const Motions all = stretches(matches, 1);
+std::optional<ClockOffset> clockOffset(const Trajectory& truth, const Matches& matches,
+                                       double longest_s) {
+  constexpr std::size_t kMost = 1000, kFewest = 10;  // motions
+  const Stretches all = stretches(matches, 1);
   if (all.size() < kFewest) return std::nullopt;
-  Motions motions;
+  Stretches motions;
   for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / kMost) motions.push_back(all[i]);
-  const double most = std::min(truth.inFrames() ? kFrames : kSeconds, truth.duration() / 10);
-  const double step = std::max(truth.periodOfPairs() / 2, most / 200);
-  double best = 0, least = turnsApart(truth, motions, 0);
+  const auto apart = [&](double offset) {  // mean squared difference of the angles of turns, rad^2
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Stretch& each : motions) {
+      const auto from = truthAt(truth, matches, each.first, offset);
+      const auto to = truthAt(truth, matches, each.last, offset);
+      if (!from || !to) continue;
+      const double turn = angle(from->T_world_camera.inverse() * to->T_world_camera);
+      sum += std::pow(turn - angle(each.estimate), 2);
+      ++count;
+    }
+    return 2 * count > motions.size() ? sum / static_cast<double>(count) : HUGE_VAL;
+  };
+  const auto seconds = [](const Trajectory& path) {
+    return 1e-9 * static_cast<double>(path.back().stamp_ns - path.front().stamp_ns);
+  };
+  const double most = std::min(longest_s, seconds(truth) / 10);
+  const double period = seconds(matches.estimate) / static_cast<double>(matches.size());
+  const double step = std::max(period / 2, most / 200);
+  double best = 0, least = apart(0);
   for (double offset = -most; offset <= most; offset += step) {
-    const double apart = turnsApart(truth, motions, offset);
-    if (apart < least) least = apart, best = offset;
+    const double now = apart(offset);
+    if (now < least) least = now, best = offset;
   }
   double low = best - step, high = best + step;
   for (int i = 0; i < 25; ++i) {
     const double third = (high - low) / 3;
-    const bool is_low =
-        turnsApart(truth, motions, low + third) < turnsApart(truth, motions, high - third);
+    const bool is_low = apart(low + third) < apart(high - third);
     (is_low ? high : low) += is_low ? -third : third;
   }
   best = (low + high) / 2;
   // The curvature of the sum of squares at its minimum gives the variance.
-  const double left = turnsApart(truth, motions, best);
-  const double curvature = (turnsApart(truth, motions, best - step) +
-                            turnsApart(truth, motions, best + step) - 2 * left) /
-                           (step * step);
+  const double left = apart(best);
+  const double curvature = (apart(best - step) + apart(best + step) - 2 * left) / (step * step);
   const auto count = static_cast<double>(motions.size());
   return ClockOffset{best, std::sqrt(2 * left / (count * std::max(curvature, 1e-300)))};
 }
 
-Matches delayed(const TruthOverTime& truth, Matches matches, double offset) {
+Matches delayed(const Trajectory& truth, Matches matches, double offset) {
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const auto pose = truth.at(i, offset);
+    const auto pose = truthAt(truth, matches, i, offset);
     if (pose) matches.truth[i].T_world_camera = pose->T_world_camera;
     if (!pose) matches.estimate[i].tracked = false;
   }

@@ -22,15 +22,17 @@ struct Stretch {
   Eigen::Isometry3d truth;
   Eigen::Isometry3d estimate;
 };
+using Stretches = std::vector<Stretch>;
 
 Stretch stretchBetween(const Matches& matches, std::size_t first, std::size_t last);
-
 /// Consecutive stretches of `steps` tracked pairs, each in one piece of the path.
-std::vector<Stretch> stretches(const Matches& matches, std::size_t steps);
+Stretches stretches(const Matches& matches, std::size_t steps);
+/// Numbers of steps over which motions are compared: of a 400th, a 100th and a 25th of the path.
+std::vector<std::size_t> stepCounts(const Matches& matches);
 
 /// By stretch: how the estimated motion differs from the true one.
 struct StepSeries {
-  std::vector<Stretch> stretches;
+  Stretches stretches;
   std::vector<std::int64_t> frames;  ///< of the true pose at the end
   std::vector<double> log_ratio;     ///< natural logarithm of estimated over true length
   std::vector<double> turn;          ///< angle between the two rotations, rad
@@ -45,9 +47,6 @@ std::vector<std::string> breaksOf(const Matches& matches);
 
 /// The pairs at which the estimate starts again at its origin, as after a loss of tracking.
 std::vector<std::size_t> restartsOf(const Matches& matches);
-
-// Where and when the truth is measured, against the camera of the estimate: the axes and the point
-// of its body, and the offset of its clock.
 
 /// The body that the truth is measured of, seen from the camera.
 struct Extrinsic {
@@ -72,43 +71,20 @@ Extrinsic extrinsicOf(const Matches& matches, bool with_axes);
 std::optional<Extrinsic> bodyOf(const Matches& matches);
 
 /// The matrix of this determinant that turns the truth's motions to the camera's best.
-Eigen::Matrix3d bestAxes(const std::vector<Stretch>& motions, double determinant);
-
-/// The truth's motions in other axes of its body.
-std::vector<Stretch> turned(std::vector<Stretch> motions, const Eigen::Matrix3d& axes);
-/// The motions of the camera, if the truth's point is at `arm` in it.
-std::vector<Stretch> shifted(std::vector<Stretch> motions, const Eigen::Vector3d& arm);
-
-/// Numbers of steps over which motions are compared: of a 400th, a 100th and a 25th of the path.
-std::vector<std::size_t> stepCounts(const Matches& matches);
-
-/// The true poses at the times of the pairs. Times are s, or frames where the truth has no stamps.
-class TruthOverTime {
- public:
-  /// `by_stamp`: estimates have their own stamps, else those of the true poses they are matched
-  /// with. `truth` is whole; the matches have some of its poses.
-  TruthOverTime(Trajectory truth, const Matches& matches, bool by_stamp);
-  bool inFrames() const { return in_frames_; }
-  double periodOfPairs() const;
-  double duration() const;
-  /// The truth `offset` after pair `i`; none before its first and after its last pose.
-  std::optional<PoseAt> at(std::size_t i, double offset) const;
-
- private:
-  bool in_frames_;
-  Trajectory truth_;                 ///< stamps are frames * 1e9 where it has none
-  std::vector<std::int64_t> pairs_;  ///< ns
-};
+Eigen::Matrix3d bestAxes(const Stretches& motions, double determinant);
+/// The motions of the camera, if the truth's body has these axes and is at `arm` in it.
+Stretches seenFrom(Stretches motions, const Eigen::Matrix3d& axes, const Eigen::Vector3d& arm);
 
 struct ClockOffset {
-  double seconds = 0;  ///< or frames
+  double seconds = 0;
   double sigma = 0;
 };
-/// What to add to the time of an estimated pose to find the truth that turns as it does. From rates
-/// of turning: the offset with the smallest ATE depends on drift. None for too few motions.
-std::optional<ClockOffset> clockOffset(const TruthOverTime& truth, const Matches& matches);
-
-/// The matches with the truth `offset` later; pairs beyond its ends count as not tracked.
-Matches delayed(const TruthOverTime& truth, Matches matches, double offset);
+/// What to add to the stamp of an estimated pose to find the truth that turns as it does. From
+/// rates of turning: the offset with the smallest ATE depends on drift. `truth` is whole; the
+/// matches have some of its poses. None for too few motions.
+std::optional<ClockOffset> clockOffset(const Trajectory& truth, const Matches& matches,
+                                       double longest_s = 2);
+/// The matches with the truth `offset` seconds later; pairs beyond its ends count as not tracked.
+Matches delayed(const Trajectory& truth, Matches matches, double offset);
 
 }  // namespace tolman::evaluation

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "base/text_file.hpp"
 
@@ -175,40 +171,9 @@ struct Columns {
   bool hasQuaternion() const { return std::ranges::min(quaternion) >= 0; }
 };
 
-const Columns kTum{
-    "8 numbers (stamp tx ty tz qx qy qz qw)", 8, 0, 9, -1, -1, {1, 2, 3}, {4, 5, 6, 7}};
-const Columns kKitti{"12 numbers (rows of a 3x4 pose)", 12, -1, 9, -1, 0};
-const Columns kPositions{"4 numbers (stamp tx ty tz)", 4, 0, 9, -1, -1, {1, 2, 3}};
-const Columns kFramed12{"13 numbers (frame, rows of a 3x4 pose)", 13, -1, 9, 0, 1};
-const Columns kFramed16{"17 numbers (frame, rows of a 4x4 pose)", 17, -1, 9, 0, 1};
-/// EuRoC and TUM-VI: ns, and w is the first of the quaternion.
-const Columns kEuroc{
-    "a line of EuRoC (ns, x y z, qw qx qy qz)", 0, 0, 0, -1, -1, {1, 2, 3}, {5, 6, 7, 4}};
-const Columns kEurocPositions{"a line of EuRoC (ns, x y z)", 4, 0, 0, -1, -1, {1, 2, 3}};
-
 bool isNanoseconds(std::string_view word) {
   constexpr std::size_t kDigits = 16;  // in ns, of any time since February 1970; more than seconds
   return word.size() >= kDigits && word.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-/// The format of a table without names of columns.
-Columns columnsOf(const Words& entries) {
-  const std::size_t count = entries.size();
-  const bool nanoseconds = isNanoseconds(entries.front());
-  if (nanoseconds && count == 4) return kEurocPositions;
-  if (nanoseconds && count >= 8) {
-    Columns columns = kEuroc;
-    columns.count = static_cast<int>(count);
-    return columns;
-  }
-  for (const Columns* columns : {&kTum, &kKitti, &kPositions, &kFramed12, &kFramed16}) {
-    if (static_cast<int>(count) == columns->count) return *columns;
-  }
-  throw LineError(fmt::format(
-      "neither a TUM pose (8 numbers) nor a KITTI pose (12 numbers), nor stamp x y z (4), nor a "
-      "frame with its pose (13 or 17): found {} entries; other tables need a first line with the "
-      "names of their columns",
-      count));
 }
 
 int digitsOf(std::string_view given, const std::string& name) {
@@ -271,6 +236,38 @@ std::optional<Columns> namedColumns(std::string_view line) {
   return columns;
 }
 
+/// The format of a table without names of columns. EuRoC and TUM-VI have ns, and w first.
+Columns columnsOf(const Words& entries) {
+  const std::size_t count = entries.size();
+  const auto named = [&](const char* format, const char* names) {
+    Columns columns = *namedColumns(names);
+    columns.format = format;
+    columns.count = static_cast<int>(count);
+    return columns;
+  };
+  const auto matrix = [&](const char* format, int frame) {
+    Columns columns{format, static_cast<int>(count)};
+    columns.frame = frame;
+    columns.matrix = frame + 1;
+    return columns;
+  };
+  if (isNanoseconds(entries.front()) && count >= 8) {
+    return named("a line of EuRoC (ns, x y z, qw qx qy qz)", "stamp_ns x y z qw qx qy qz");
+  }
+  if (count == 4) return named("4 numbers (stamp tx ty tz)", "stamp x y z");
+  if (count == 8) {
+    return named("8 numbers (stamp tx ty tz qx qy qz qw)", "stamp x y z qx qy qz qw");
+  }
+  if (count == 12) return matrix("12 numbers (rows of a 3x4 pose)", -1);
+  if (count == 13) return matrix("13 numbers (frame, rows of a 3x4 pose)", 0);
+  if (count == 17) return matrix("17 numbers (frame, rows of a 4x4 pose)", 0);
+  throw LineError(fmt::format(
+      "neither a TUM pose (8 numbers) nor a KITTI pose (12 numbers), nor stamp x y z (4), nor a "
+      "frame with its pose (13 or 17): found {} entries; other tables need a first line with the "
+      "names of their columns",
+      count));
+}
+
 bool beginsWithNumber(std::string_view line) {
   const Words words = wordsOf(line);
   return !words.empty() && text_encoding::parseNumber(words.front()).has_value();
@@ -324,45 +321,12 @@ void append(Trajectory& trajectory, TrajectoryPose pose, const Columns& columns)
   trajectory.push_back(pose);
 }
 
-/// Of a file, or of what comes through a pipe until its end.
-Result<std::string> textOf(const std::filesystem::path& path) {
-  constexpr std::size_t kMost = std::size_t{1} << 30;
-  if (std::filesystem::is_directory(path)) return Status::invalidInput("is a folder; give a file");
-  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) {
-    const std::string why = std::generic_category().message(errno);
-    return Status::invalidInput("cannot be read (" + why + "); check path and permissions");
-  }
-  ::fcntl(file, F_SETFL, O_RDONLY);  // a pipe whose writer is at work is waited for
-  std::string text;
-  std::array<char, 1 << 16> bytes;
-  ssize_t got = 1;
-  while (got > 0 && text.size() <= kMost) {
-    got = ::read(file, bytes.data(), bytes.size());
-    if (got > 0) text.append(bytes.data(), static_cast<std::size_t>(got));
-  }
-  ::close(file);
-  if (text.size() > kMost) return Status::invalidInput("has more than 1 GiB");
-  if (got < 0) return Status::invalidInput("cannot be read to its end; check the disk");
-  if (text.empty() && std::filesystem::is_fifo(path)) {
-    return Status::invalidInput("nobody writes to this pipe; start its writer first");
-  }
-  return text;
-}
-
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_written) {
-  const auto refuse = [&](const std::string& why) {
-    return Status::invalidInput(file.string() + ": " + why);
-  };
-  const Result<std::string> given = textOf(file);
-  if (!given.isOk()) return refuse(given.status().message());
-  const std::string& text = given.value();
-  if (const std::string problem = text_encoding::encodingProblem(text); !problem.empty()) {
-    return refuse(problem);
-  }
-  std::istringstream stream(std::string(text_encoding::withoutMark(text)));
+  const Result<std::string> text = text_encoding::readText(file, std::uintmax_t{1} << 30U);
+  if (!text.isOk()) return text.status();
+  std::istringstream stream(text.value());
   Trajectory trajectory;
   std::optional<Columns> comment, columns;
   std::string line;
@@ -386,7 +350,7 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file, bool as_wri
           fmt::format("{}:{}: {}", file.string(), number_of_line, error.what()));
     }
   }
-  if (trajectory.empty()) return refuse("holds no pose");
+  if (trajectory.empty()) return Status::invalidInput(file.string() + ": holds no pose");
   return trajectory;
 }
 

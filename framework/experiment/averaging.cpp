@@ -53,8 +53,7 @@ bool sameResults(const RunRow& a, const RunRow& b) {
 
 }  // namespace
 
-void refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
-                    bool mixed_coverage) {
+void refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics) {
   const RunRow& first = *runs.front();
   std::map<std::string, const RunRow*> of_sequence;
   for (const RunRow* run : runs) {
@@ -79,9 +78,9 @@ void refuseMixtures(const RunPointers& runs, const std::vector<std::string>& met
             "have different true poses; name the sequences in the sweep, or choose runs with "
             "--only");
     }
-    if (!mixed_coverage && std::abs(coverage - coverageOf(same)) > kSameCoverage) {
+    if (std::abs(coverage - coverageOf(same)) > kSameCoverage) {
       mixed(same, fmt::format("cover {:.1f} % and {:.1f} % of the truth, so that their errors are "
-                              "of different paths; --mixed-coverage averages them all the same",
+                              "of different paths; leave one out with --only",
                               100 * coverageOf(same), 100 * coverage));
     }
     for (const std::string& metric : metrics) {
@@ -126,53 +125,6 @@ std::string levelName(const RunRow& row, const std::vector<std::string>& by) {
     name += (&factor == &by.front() ? "" : ", ") + row.label(factor);
   }
   return name;
-}
-
-std::vector<std::string> factorsWithoutEffect(const std::vector<RunRow>& rows) {
-  std::vector<std::string> names;
-  if (rows.empty()) return names;
-  for (const auto& [name, label] : rows.front().factors) {
-    if (name == "seed" || name == "sequence") continue;
-    std::map<std::string, std::set<std::string>> results;  // of runs equal in all other factors
-    bool varies = false;
-    for (const RunRow& row : rows) {
-      results[row.labelsWithout({name})].insert(row.results);
-      varies = varies || row.label(name) != label;
-    }
-    const bool has_effect =
-        std::ranges::any_of(results, [](const auto& of) { return of.second.size() > 1; });
-    if (varies && !has_effect) names.push_back(name);
-  }
-  return names;
-}
-
-std::string fewSamplesNote(std::size_t sequences, std::size_t seeds) {
-  constexpr double kSignificant = 0.05;
-  const std::size_t samples = sequences > 1 ? sequences : seeds;
-  const double least = std::min(1.0, 2 * std::pow(0.5, static_cast<double>(samples)));
-  if (least < kSignificant) return "";
-  return fmt::format(
-      "With {} p cannot be below {:.3g}, and the intervals of so few are too narrow: six sequences "
-      "that all agree give 0.031.",
-      sequences > 1 ? fmt::format("{} sequences", sequences)
-                    : fmt::format("one sequence and {} seeds", seeds),
-      least);
-}
-
-std::string sameTruthNote(const std::vector<RunRow>& rows) {
-  std::map<std::string, std::set<std::string>> sequences;  // by true path
-  for (const RunRow& row : rows) {
-    if (!row.truth.empty()) sequences[row.truth].insert("'" + row.label("sequence") + "'");
-  }
-  for (const auto& [truth, of] : sequences) {
-    if (of.size() < 2) continue;
-    return fmt::format(
-        "Of one true path are the sequences {}. Intervals and p count them as independent, "
-        "which drives over one path are not if they have the same images: leave all but one out "
-        "with --only, unless they were recorded at different times.",
-        config::listed(std::vector<std::string>(of.begin(), of.end())));
-  }
-  return "";
 }
 
 std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures speed and memory, of the source alone and of all stages in lossless mode; and place
-// recognition: precision, recall, time and memory, over one drive that sees places again, or over
-// two passes along the same path. Which images show the same place is known by their numbers, a
-// list of pairs, or the true poses.
+// Measures the time of every stage; and place recognition: precision, recall, time and memory, over
+// one drive that sees places again, or over two passes along the same path. Which images show the
+// same place is known by their numbers, a list of pairs, or the true poses.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,6 @@
 
 #include "engine/checked_system.hpp"
 #include "evaluation/loops.hpp"
-#include "evaluation/metrics.hpp"
 #include "evaluation/trajectory.hpp"
 #include "experiment/tables.hpp"
 #include "tolman/records.hpp"
@@ -29,35 +27,18 @@ using BenchProgress = std::function<std::function<void()>(std::int64_t frames)>;
 
 struct BenchOptions {
   std::int64_t frames = -1;  ///< measure at most this many; -1 for all
-  int repeats = 3;
-  bool source_only = false;
   BenchProgress progress = [](std::int64_t) { return [] {}; };
 };
 
-/// One pass over the data. Nothing is recorded and there are no observers.
-struct BenchPass {
-  std::string kind;  ///< "source" alone, or "chain"
-  std::int64_t frames = 0;
-  double seconds = 0;   ///< source: sum of its calls; all stages: until the last frame has ended
-  double peak_mib = 0;  ///< peak resident memory of the process, plugins included
-  std::map<std::string, evaluation::StageTiming> stages{};  ///< by role
-
-  double rate() const { return seconds > 0 ? static_cast<double>(frames) / seconds : 0; }
-};
-
-struct Bench {
-  std::string name;
-  std::string source;             ///< as the source describes itself
-  std::vector<BenchPass> passes;  ///< those that are complete
+struct BenchTable {
+  Table table;
   bool interrupted = false;
 };
 
-/// Each pass creates and configures its stages again. Throws engine::Failure.
-Bench runBench(const engine::SystemOptions& system, const BenchOptions& options,
-               engine::RunLog& log, const Cancellation& cancellation);
-
-/// A row for each pass; ratios are rates over the rate of the first pass of the same kind.
-Table tableOf(const Bench& bench);
+/// The time of each stage in lossless mode, and its ratio to that of the source. Nothing is
+/// recorded and there are no observers. Throws engine::Failure.
+BenchTable runBench(const engine::SystemOptions& system, const BenchOptions& options,
+                    engine::RunLog& log, const Cancellation& cancellation);
 
 // Place recognition.
 

@@ -86,7 +86,7 @@ class Comparer {
   void run() {
     RunPointers pointers;
     for (const RunRow& row : rows_) pointers.push_back(&row);
-    refuseMixtures(pointers, {comparison_.metric}, options_.mixed_coverage);
+    refuseMixtures(pointers, {comparison_.metric});
     if (!comparison_.by.empty()) note(mergeRepeats(rows_));
     std::set<std::string> truths, sequences;
     for (RunRow& row : rows_) {
@@ -116,7 +116,7 @@ class Comparer {
     if (!text.empty()) comparison_.notes.push_back(text);
   }
 
-  /// Sets fewest_, and notes seeds and factors that change nothing.
+  /// Sets fewest_, and notes seeds that change nothing.
   void noteEqualResults() {
     std::map<std::string, std::pair<std::set<std::string>, std::size_t>> settings;
     for (const RunRow& row : rows_) {
@@ -136,8 +136,6 @@ class Comparer {
           "while means, medians and sd are over all runs.",
           equal, settings.size()));
     }
-    const Names idle = factorsWithoutEffect(rows_);
-    if (!idle.empty()) note(config::listed(idle) + " changes nothing, byte for byte.");
     if (fewest_ < kMinSeeds) {
       note(
           fmt::format("Not enough runs for intervals and tests: {} different results a setting, at "
@@ -171,8 +169,6 @@ class Comparer {
       Level& level = comparison_.levels.emplace_back(levelOf(label, values.at(label)));
       if (label != comparison_.baseline) level.difference = difference(values.at(label), baseline);
     }
-    if (fewest_ >= kMinSeeds && order.size() > 1) note(fewSamplesNote(sequences_, fewest_));
-    if (order.size() > 1) note(sameTruthNote(rows_));
     noteUnevenRuns(values);
   }
 
@@ -233,32 +229,18 @@ class Comparer {
   }
 
   /// The mean of a level is over runs, its interval over sequences and seeds. They are of one
-  /// estimate only if all sequences, and all seeds of one, have as many runs.
+  /// estimate only if all sequences of all levels have as many runs.
   void noteUnevenRuns(const std::map<std::string, Values>& values) {
-    Names uneven;
-    std::set<std::size_t> sizes;
-    for (const Level& level : comparison_.levels) {
-      sizes.insert(level.summary.count);
-      std::set<std::size_t> runs, seeds;
-      for (const auto& [sequence, own] : values.at(level.label)) {
-        std::map<std::string, std::size_t> by_seed;
-        for (const auto& [rest, run] : own) ++by_seed[run.seed];
-        runs.insert(own.size());
-        for (const auto& [seed, count] : by_seed) seeds.insert(count);
-      }
-      if (level.interval && (runs.size() > 1 || seeds.size() > 1)) uneven.push_back(level.label);
+    std::set<std::size_t> runs;
+    for (const auto& [label, sequences] : values) {
+      if (sequences.size() != sequences_) runs.insert(0);
+      for (const auto& [sequence, own] : sequences) runs.insert(own.size());
     }
-    if (!uneven.empty()) {
-      note("In " + config::listed(uneven) +
-           " sequences or seeds have different numbers of runs. Mean, median and sd weigh all runs "
-           "equally, intervals and differences all sequences: the mean need not lie in its "
-           "interval.");
-    }
-    if (sizes.size() > 1) {
-      note(
-          "The levels have different numbers of runs: their means are of different sequences or "
-          "seeds. The paired differences use the runs that both have.");
-    }
+    if (runs.size() < 2) return;
+    note(
+        "Sequences or levels have different numbers of runs. Mean, median and sd weigh all runs "
+        "equally, intervals and differences all sequences: the mean need not lie in its interval. "
+        "Differences are of the runs that both levels have.");
   }
 
   std::vector<RunRow> rows_;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "evaluation/association.hpp"
 #include "evaluation/errors.hpp"
 #include "experiment/sweep_file.hpp"
 #include "experiment/tables.hpp"
@@ -85,9 +86,8 @@ struct ComparisonOptions {
   /// more than one key, each run is a level of its own.
   std::vector<std::string> by;
   Labels only;
-  std::string baseline;         ///< level; empty: the first
-  bool mixed_coverage = false;  ///< average runs whose coverage differs
-  std::uint64_t seed = 1;       ///< of the bootstrap
+  std::string baseline;    ///< level; empty: the first
+  std::uint64_t seed = 1;  ///< of the bootstrap
 };
 
 /// Differences to the baseline, between runs that are equal in all other factors.
@@ -129,6 +129,35 @@ Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const Comparison
 
 Table tableOf(const Comparison& comparison);
 
+/// SVG, as wide as a column of a paper (88.9 mm): the mean over the first factor with its interval
+/// as a band, a line for each of the rest; where its labels are no numbers, a column of dots for
+/// each level.
+std::string levelsFigure(const Comparison& comparison);
+/// The true path, and the map of the median run of each level, from the records. InvalidParameter
+/// for several true paths; InvalidInput for records that cannot be read.
+Result<std::string> mapsFigure(const Comparison& comparison);
+
+// Runs of one recording with different modules: which is best, and which differences it can decide.
+
+/// The map of a run, transformed into the coordinates of its truth. Throws (base/must.hpp).
+evaluation::Matches alignedMap(const std::filesystem::path& run, const std::string& alignment);
+
+struct Ranked {
+  const RunRow* run = nullptr;
+  double rmse_m = 0;     ///< position error of the map after alignment
+  Interval interval{};   ///< 95 %, of rmse_m
+  bool as_good = false;  ///< the first, or no worse as far as this recording can decide
+};
+
+/// The runs with an error, best first. Intervals are bootstrapped over equal parts of the true
+/// path, because errors of neighbouring frames are alike. A run is as good as the best if the
+/// interval of their difference in squared error, part by part, includes zero. `rows` must outlive
+/// the result. InvalidInput for records that cannot be read.
+Result<std::vector<Ranked>> rankedRuns(const std::vector<RunRow>& rows);
+
+/// The ranked runs, then those without an error: factors, error, loop links.
+Table tableOf(const std::vector<Ranked>& ranked, const std::vector<RunRow>& rows);
+
 struct PivotOptions {
   std::vector<std::string> by;    ///< factors of the rows; empty: all but the columns' and seed
   std::string columns;            ///< factor of the columns; empty: those of `values`
@@ -139,7 +168,6 @@ struct PivotOptions {
   /// Rows above the others, as label and cell; they show the runs of the first row.
   Labels heads;
   Labels only;
-  bool mixed_coverage = false;  ///< as in ComparisonOptions
 };
 
 /// A cell of several runs has the means of their metrics. InvalidParameter for unknown names and
@@ -158,9 +186,8 @@ using RunPointers = std::vector<const RunRow*>;
 
 /// Refuses runs with different alignments, runs that tracked nothing, runs of one sequence with
 /// different true poses or coverages (by more than 2 %), and where one of `metrics` is a drift over
-/// segments of different lengths. With `mixed_coverage` coverages may differ.
-void refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics,
-                    bool mixed_coverage);
+/// segments of different lengths.
+void refuseMixtures(const RunPointers& runs, const std::vector<std::string>& metrics);
 
 /// Keeps one run of each setting (same factors, seed and sequence). Returns a note about the number
 /// of removed runs, which have the same results; empty if there are none.
@@ -170,17 +197,6 @@ std::string mergeRepeats(std::vector<RunRow>& rows);
 
 /// The labels of these factors, joined by ", ": the name of a row of a table.
 std::string levelName(const RunRow& row, const std::vector<std::string>& by);
-
-/// Factors besides seed and sequence that change no byte of the results, all others equal.
-std::vector<std::string> factorsWithoutEffect(const std::vector<RunRow>& rows);
-
-/// A warning about the signed rank test and the bootstrap for few sequences, or few seeds of one
-/// sequence: the smallest possible p is 2 / 2^n. Empty if that is below 0.05.
-std::string fewSamplesNote(std::size_t sequences, std::size_t seeds);
-
-/// A warning about sequences that have one true path, such as copies of one drive; empty if all
-/// differ. Test and bootstrap take them for independent.
-std::string sameTruthNote(const std::vector<RunRow>& rows);
 
 /// Notes on runs that lost tracking, and on runs that cover different shares of their truth.
 std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows);

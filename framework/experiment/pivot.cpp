@@ -126,7 +126,7 @@ class Pivot {
     const auto runs = cells_.find({row.level, column.label});
     if (runs == cells_.end()) return "";
     refuseOtherKinds(runs->second);
-    refuseMixtures(runs->second, metrics, options_.mixed_coverage);
+    refuseMixtures(runs->second, metrics);
     return filled(cell, [&](const std::string& metric, const std::string& format) {
       return meanText(metric, format, runs->second);
     });

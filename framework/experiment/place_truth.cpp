@@ -11,7 +11,7 @@
 #include "base/text_file.hpp"
 #include "config/values.hpp"
 #include "experiment/bench.hpp"
-#include "experiment/figures.hpp"
+#include "report/axes.hpp"
 
 namespace tolman::experiment {
 namespace {

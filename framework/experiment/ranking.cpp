@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiment/ranking.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
 #include "base/must.hpp"
 #include "config/text.hpp"
+#include "experiment/comparison.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::experiment {
@@ -20,16 +20,37 @@ constexpr const char* kError = "map.ate.rmse_m";
 
 double root(double square) { return std::sqrt(std::max(square, 0.0)); }
 
-/// A run and its mean squared error in each part of the path, m^2.
+/// Mean squared position error (m^2) in each of equal parts of the true path; for a part without
+/// frames that of the part before.
+std::vector<double> squaresByPart(const RunRow& run) {
+  const evaluation::Matches matches = alignedMap(run.directory, run.alignment);
+  const auto driven = evaluation::distances(matches.truth);
+  const auto errors =
+      evaluation::positionErrors(matches, run.alignment == "se2" ? evaluation::Direction::Horizontal
+                                                                 : evaluation::Direction::All);
+  std::array<std::vector<double>, kStretches> parts;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double share = driven[i] / std::max(driven.back(), 1e-9);
+    const auto part = static_cast<std::size_t>(share * static_cast<double>(kStretches));
+    parts.at(std::min(kStretches - 1, part)).push_back(errors[i] * errors[i]);
+  }
+  std::vector<double> squares;
+  for (const std::vector<double>& part : parts) {
+    squares.push_back(!part.empty()     ? evaluation::statistics(part).mean
+                      : squares.empty() ? 0
+                                        : squares.back());
+  }
+  return squares;
+}
+
+/// A run and its squaresByPart().
 struct Measured {
   Ranked ranked;
   std::vector<double> squares;
 };
 
 Measured measured(const RunRow& run) {
-  Measured result{{&run, run.metrics.at(kError)},
-                  errorsByPart(alignedMap(run.directory, run.alignment), kStretches,
-                               run.alignment == "se2", Moment::Square)};
+  Measured result{{&run, run.metrics.at(kError)}, squaresByPart(run)};
   const Interval square = bootstrapMean({result.squares}, kSeed);
   result.ranked.interval = {root(square.low), root(square.high)};
   return result;
@@ -37,7 +58,7 @@ Measured measured(const RunRow& run) {
 
 bool isAsGood(const Measured& run, const Measured& best) {
   std::vector<double> worse;
-  for (std::size_t i = 0; i < std::min(run.squares.size(), best.squares.size()); ++i) {
+  for (std::size_t i = 0; i < kStretches; ++i) {
     worse.push_back(run.squares[i] - best.squares[i]);
   }
   return bootstrapMean({worse}, kSeed).low <= 0;
@@ -57,26 +78,6 @@ evaluation::Matches alignedMap(const std::filesystem::path& run, const std::stri
   const auto kind = config::valueNamed<evaluation::Alignment>(alignment);
   return evaluation::aligned(
       matches, must(evaluation::align(matches, kind.value_or(evaluation::Alignment::Se3))));
-}
-
-std::vector<double> errorsByPart(const evaluation::Matches& matches, std::size_t parts, bool planar,
-                                 Moment moment) {
-  const auto driven = evaluation::distances(matches.truth);
-  const auto errors = evaluation::positionErrors(
-      matches, planar ? evaluation::Direction::Horizontal : evaluation::Direction::All);
-  std::vector<double> sums(parts, 0);
-  std::vector<double> counts(parts, 0);
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double share = driven[i] / std::max(driven.back(), 1e-9);
-    const auto part =
-        std::min(parts - 1, static_cast<std::size_t>(share * static_cast<double>(parts)));
-    sums[part] += moment == Moment::Square ? errors[i] * errors[i] : errors[i];
-    counts[part] += 1;
-  }
-  for (std::size_t i = 0; i < parts; ++i) {
-    sums[i] = counts[i] > 0 ? sums[i] / counts[i] : i > 0 ? sums[i - 1] : 0;
-  }
-  return sums;
 }
 
 Result<std::vector<Ranked>> rankedRuns(const std::vector<RunRow>& rows) {

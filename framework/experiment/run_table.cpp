@@ -141,11 +141,9 @@ std::vector<RunRow> readCsv(const fs::path& file) {
   return rows;
 }
 
-/// Of a CSV table, an archive, or a sweep: runs of its last plan that are done.
+/// Of a CSV table, or a sweep: runs of its last plan that are done.
 std::vector<RunRow> readTable(const fs::path& path) {
   if (path.extension() == ".csv") return readCsv(path);
-  const bool is_archive = fs::exists(path / "rerun.sh") && fs::exists(path / "results.csv");
-  if (is_archive) return readCsv(path / "results.csv");
   std::vector<RunRow> rows;
   for (const PlannedRun& point : frozenRuns(path).planned) {
     const PointOutcome outcome = outcomeOf(path / point.folder);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/random/sobol.hpp>
 #include <cmath>
 #include <map>
 #include <set>
@@ -19,20 +18,6 @@
 #include "tolman/parameters.hpp"
 
 namespace tolman::experiment {
-
-std::vector<std::vector<double>> samplePoints(std::size_t count, std::size_t dimensions,
-                                              std::optional<std::uint64_t> seed) {
-  boost::random::sobol sequence(dimensions);  // begins with the second point; the first is zero
-  RandomStream random(seed.value_or(0));
-  std::vector<std::vector<double>> points(count, std::vector<double>(dimensions, 0));
-  for (auto& point : points) {
-    if (!seed && &point == &points.front()) continue;
-    for (double& coordinate : point) {
-      coordinate = seed ? random.uniform() : static_cast<double>(sequence()) * 0x1.0p-64;
-    }
-  }
-  return points;
-}
 
 namespace {
 
@@ -79,7 +64,7 @@ struct SampleKeys {
   }
 };
 
-/// The range of one key of random or Sobol' samples.
+/// The range of one key of random samples.
 struct RangeKeys {
   double min = 0;
   double max = 1;
@@ -115,18 +100,14 @@ class Reader {
 
   void read(const Node& tree) {
     const auto keys = read<GeneralKeys>(
-        tree, "",
-        {"set", "grid", "list", "random", "sobol", "include", "sequences", "seeds", "exclude"});
+        tree, "", {"set", "grid", "list", "random", "sequences", "seeds", "exclude"});
     if (!keys.name.empty()) sweep_.name = keys.name;
     sweep_.reuse = keys.reuse;
     sweep_.base = pointerTo(tree.find("base"));
     sweep_.settings = settings(map(tree, "set"), {});
     for (const Node& key : map(tree, "grid").children) readGrid(key);
     for (const Node& list : map(tree, "list").children) readList(list);
-    for (const char* kind : {"random", "sobol"}) {
-      if (const Node* samples = tree.find(kind)) readSamples(*samples, kind);
-    }
-    if (const Node* include = tree.find("include")) readInclude(*include);
+    if (const Node* samples = tree.find("random")) readSamples(*samples);
     if (const Node* sequences = tree.find("sequences")) readSequences(*sequences);
     if (const Node* seeds = tree.find("seeds")) readSeeds(*seeds);
     if (const Node* exclude = tree.find("exclude")) readExclude(*exclude);
@@ -138,11 +119,9 @@ class Reader {
   }
 
   template <class Keys>
-  Keys read(const Node& map, const std::string& path, const std::vector<std::string>& also_known,
-            const std::string& except = "") {
-    Schema schema = schemaOf<Keys>();
-    std::erase_if(schema, [&](const ParameterInfo& info) { return info.name == except; });
-    return bindParameters<Keys>(config::check(map, schema, {path, "", also_known}, {}, problems_))
+  Keys read(const Node& map, const std::string& path, const std::vector<std::string>& also_known) {
+    return bindParameters<Keys>(
+               config::check(map, schemaOf<Keys>(), {path, "", also_known}, {}, problems_))
         .value();
   }
 
@@ -219,30 +198,23 @@ class Reader {
   }
 
   /// {count: N, seed: S, keys: {key: {min: A, max: B, log: true, integer: true}}}
-  void readSamples(const Node& samples, const std::string& kind) {
-    const bool is_sobol = kind == "sobol";  // its points are always the same
-    const auto keys = read<SampleKeys>(samples, kind, {"keys"}, is_sobol ? "seed" : "");
+  void readSamples(const Node& samples) {
+    const auto keys = read<SampleKeys>(samples, "random", {"keys"});
     const std::vector<Node>& ranged = map(samples, "keys").children;
+    if (ranged.empty()) problem(samples, "random", "expects keys");
     std::vector<RangeKeys> ranges;
     for (const Node& key : ranged) ranges.push_back(range(key));
-    if (ranged.empty() || (is_sobol && ranged.size() > kSobolDimensions)) {
-      problem(samples, kind, fmt::format("expects keys; with sobol up to {}", kSobolDimensions));
-      return;
-    }
-    const auto count = static_cast<std::size_t>(keys.count);
-    const auto shares =
-        samplePoints(count, ranged.size(), is_sobol ? std::nullopt : std::optional(keys.seed));
-    Axis axis;
-    for (const auto& point : shares) {
-      Choice& choice = axis.emplace_back();
+    RandomStream random(static_cast<std::uint64_t>(keys.seed));
+    Axis axis(static_cast<std::size_t>(keys.count));
+    for (Choice& choice : axis) {
       for (std::size_t d = 0; d < ranged.size(); ++d) {
-        const std::string value = ranges[d].at(point[d]);
+        const std::string value = ranges[d].at(random.uniform());
         choice.factors.push_back({ranged[d].key, value});
         choice.settings.push_back(
             {ranged[d].key, scalarOf(ranged[d].key, value, ranged[d].origin)});
       }
     }
-    sweep_.axes.push_back(std::move(axis));
+    if (!ranged.empty()) sweep_.axes.push_back(std::move(axis));
   }
 
   RangeKeys range(const Node& node) {
@@ -258,14 +230,6 @@ class Reader {
     if (range.min <= range.max && (!range.log || (range.min > 0 && !range.integer))) return range;
     problem(node, node.key, "is no range; max must be above min, and min above 0 with log");
     return {};
-  }
-
-  void readInclude(const Node& include) {
-    for (const Node& item : maps(include, "include")) {
-      Choice choice{{}, settings(item, {}), nullptr};
-      for (const Setting& s : choice.settings) choice.factors.push_back({s.key, labelOf(*s.value)});
-      if (!choice.factors.empty()) sweep_.include.push_back(std::move(choice));
-    }
   }
 
   /// label: PATH for source.path, or label: {key: value}; front_end: FILE or {base: , key: value}.
@@ -389,7 +353,6 @@ void refuseOverlaps(const SweepFile& sweep, config::Problems& problems) {
   for (const auto* axes : {&sweep.axes, &sweep.repeats}) {
     for (const Axis& axis : *axes) {
       for (const Axis* other : product) refuse(*other, axis);
-      if (axes == &sweep.repeats) refuse(sweep.include, axis);
       product.push_back(&axis);
     }
   }
@@ -479,11 +442,7 @@ SweepFile readSweep(const std::filesystem::path& file, const config::Environment
 std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& problems) {
   refuseOverlaps(sweep, problems);
   std::vector<SweepPoint> points(1);
-  const bool only_included = sweep.axes.empty() && !sweep.include.empty();
-  if (only_included) points.clear();
   for (const Axis& axis : sweep.axes) points = times(points, axis);
-  for (const SweepPoint& point : times(std::vector<SweepPoint>(1), sweep.include))
-    points.push_back(point);
   for (const Axis& axis : sweep.repeats) points = times(points, axis);
   if (points.size() > kMaxPoints) {
     problems.push_back({config::Origin::ofFile(sweep.file), "", "has more than 100000 points"});

@@ -60,8 +60,7 @@ struct SweepFile {
   std::shared_ptr<const config::Node> base;
   std::vector<Setting> settings;  ///< for all points
   bool reuse = true;              ///< front ends that several points share are run once
-  std::vector<Axis> axes;         ///< grid, list, random, sobol
-  Axis include;                   ///< further points beside the product of `axes`
+  std::vector<Axis> axes;         ///< grid, list, random
   std::vector<Axis> repeats;      ///< sequences, seeds: of all points
   std::vector<Exclusion> exclude;
 };
@@ -77,16 +76,8 @@ struct SweepPoint {
   std::shared_ptr<const FrontEnd> front_end{};
 };
 
-/// The product of all axes without the excluded points, then the included points, each with all
-/// sequences and seeds. Problems: exclusions without effect, and a key that two axes vary.
+/// The product of all axes, each with all sequences and seeds, without the excluded points.
+/// Problems: exclusions without effect, and a key that two axes vary.
 std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& problems);
-
-inline constexpr std::size_t kSobolDimensions = 10;
-
-/// Points in the unit cube: independent uniform ones, or without a seed the first points of Sobol's
-/// sequence in the order of the Gray code (Antonov and Saleev 1979), with the direction numbers of
-/// Joe and Kuo (2008).
-std::vector<std::vector<double>> samplePoints(std::size_t count, std::size_t dimensions,
-                                              std::optional<std::uint64_t> seed);
 
 }  // namespace tolman::experiment

@@ -115,7 +115,8 @@ PointOutcome outcomeOf(const fs::path& folder) {
       if (outcome.state == PointState::Done && is_removed) return {};
       return outcome;
     } catch (const PointJson::exception&) {
-      return {PointState::Failed, 0, file.string() + ": is damaged; remove it"};
+      constexpr int kFailed = 7;  // exit code of a sweep with failed runs
+      return {PointState::Failed, kFailed, file.string() + ": is damaged; remove it"};
     }
   }
   if (record::RunDirectory::isBeingWritten(folder)) return {PointState::Running};
@@ -220,7 +221,12 @@ void removeUnfinished(const fs::path& run) {
   }
 }
 
-/// Waits while another process runs this point, for example one whose sweep was killed just before.
+bool hasEnded(const PointOutcome& outcome) {
+  return outcome.state == PointState::Done || outcome.state == PointState::Failed;
+}
+
+/// Waits while another process runs this point, for another point that needs it, or because its
+/// sweep was killed just before.
 record::FileDescriptor lockWhenFree(const fs::path& folder, const Cancellation& cancellation) {
   for (;;) {
     record::FileDescriptor lock = record::lockFolder(folder);
@@ -247,14 +253,16 @@ PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
   const record::FileDescriptor lock = lockWhenFree(folder, cancellation);
   if (!lock.isOpen()) return {PointState::Interrupted};
   PointOutcome outcome = outcomeOf(folder);
-  const bool ended =
-      outcome.state == PointState::Done || (outcome.state == PointState::Failed && !options.retry);
-  if (ended) return outcome;
+  if (hasEnded(outcome)) return outcome;
+  const auto point = readPoint(folder);
+  if (point.isOk() && !point.value().needs().empty()) {
+    const fs::path needed = folder.parent_path() / point.value().needs();
+    if (!hasEnded(outcomeOf(needed))) (void)runPoint(needed, options, cancellation);
+  }
   const auto begin = std::chrono::steady_clock::now();
   outcome = {PointState::Failed};
   fs::remove(folder / "outcome.json", ignored);
   try {
-    const auto point = readPoint(folder);
     engine::require(point.status(), FailureKind::Configuration);
     removeUnfinished(folder / "run");
     const engine::Outcome ran =

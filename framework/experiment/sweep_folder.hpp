@@ -117,7 +117,6 @@ Status writeOutcome(const std::filesystem::path& folder, const PointOutcome& out
 struct PointRunOptions {
   std::vector<std::string> plugin_paths;
   std::vector<std::string> command_line;  ///< for run.json
-  bool retry = false;                     ///< run it again when it failed
   bool quiet = false;
   int threads = 0;  ///< replaces `threads: 0` of the configuration
   FindConfig find_config;
@@ -125,8 +124,8 @@ struct PointRunOptions {
   std::function<int(const engine::Failure&)> failure_code;
 };
 
-/// Runs one frozen run in this process. The outcome; also if it had ended before. An interrupted
-/// run has the state Interrupted and no outcome.json.
+/// Runs one frozen run in this process, and before it the run that it needs. The outcome; also if
+/// it had ended before. An interrupted run has the state Interrupted and no outcome.json.
 PointOutcome runPoint(const std::filesystem::path& folder, const PointRunOptions& options,
                       const Cancellation& cancellation);
 
@@ -153,29 +152,5 @@ struct LocalJobsOptions {
 /// On cancellation the processes are interrupted. Returns the final state.
 JobsState runLocally(const std::filesystem::path& sweep, const std::vector<PlannedRun>& runs,
                      const LocalJobsOptions& options, const Cancellation& cancellation);
-
-/// Writes into the folder of the sweep, from configs/jobs, by `kind`:
-///   slurm      runs-1.txt and runs-2.txt, one folder per line; array.sh, which runs one of them;
-///              submit.sh, which submits an array of each list, the second after the first
-///   parallel   commands-1.txt, commands-2.txt: lists of commands, the second after the first
-///   snakemake  Snakefile
-/// Runs of the second list take answers of runs of the first. `command` runs one folder.
-Result<std::vector<std::filesystem::path>> writeJobFiles(const std::filesystem::path& sweep,
-                                                         const std::string& name,
-                                                         const std::vector<PlannedRun>& runs,
-                                                         const std::vector<std::string>& command,
-                                                         const std::string& kind,
-                                                         const FindConfig& find_config);
-
-/// Writes the files that repeat a sweep on another machine into `folder`, which must be empty or
-/// new:
-///   rerun.sh     repeats all runs that are done, and compares the results byte for byte
-///   data.txt     one line per input: variable, path, SHA-256 (or digest of sizes and times)
-///   results.csv  the table of `tolman sweep collect`
-///   runs/NAME/   config.resolved.yaml, run.json, metrics.json, results.sha256, point.json
-///
-/// In the configurations the paths of data are variables, with the present path as default.
-Status writeSweepArchive(const std::filesystem::path& sweep, const std::filesystem::path& folder,
-                         const FindConfig& find_config);
 
 }  // namespace tolman::experiment

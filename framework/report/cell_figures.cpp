@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of the cells: their activity, other arrays over time, and the firing of single units.
+// Pictures of the cells: the firing of single units, and of all of a population; and the measures
+// of all units.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <map>
 #include <numbers>
-#include <span>
 
 #include "report/axes.hpp"
 #include "report/figures.hpp"
@@ -14,7 +12,10 @@
 namespace tolman::report {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using evaluation::axisAngle;
+using evaluation::axisValue;
+using evaluation::kDegrees;
 using evaluation::PopulationHistory;
 using evaluation::RateMap;
 
@@ -22,108 +23,6 @@ using evaluation::RateMap;
 Eigen::Vector2d polar(const Eigen::Vector2d& centre, double angle, double radius) {
   return centre + radius * Eigen::Vector2d(-std::sin(angle), -std::cos(angle));
 }
-
-float highest(const std::vector<float>& values) {
-  float most = 1e-9F;
-  for (const float value : values) most = std::isfinite(value) ? std::max(most, value) : most;
-  return most;
-}
-
-// Activity at some moments.
-
-constexpr std::size_t kMoments = 4;
-constexpr double kMomentPanel = 225;  // px
-constexpr double kRing = 170;
-constexpr double kRow = kRing + 40;
-constexpr double kRowsTop = 60;
-
-/// Units of a ring are sectors in their heading, as long as their activity; a sheet is a picture.
-void drawActivity(Svg& svg, const Eigen::Vector2d& centre, const PopulationHistory& population,
-                  const std::vector<float>& activity, double heading) {
-  const float most = highest(activity);
-  if (population.shape.size() == 2) {
-    const Eigen::Map<const Eigen::Matrix<float, -1, -1, Eigen::RowMajor>> rates(
-        activity.data(), population.shape[0], population.shape[1]);
-    const Eigen::Vector2d size(population.shape[0], population.shape[1]);
-    svg.image(centre - Eigen::Vector2d::Constant(kRing / 2), kRing / size.maxCoeff() * size,
-              pngUrl(ratePixels(rates.cast<double>(), static_cast<double>(most))));
-    return;
-  }
-  constexpr double kOuter = kRing / 2, kInner = 0.35 * kOuter;
-  svg.circle(centre, kInner, "none", kFaintLine);
-  for (std::size_t i = 0; i < activity.size(); ++i) {
-    const double angle = axisAngle(population.info.axes[0], i);
-    const double share = std::isfinite(activity[i]) ? activity[i] / most : 0;
-    svg.line(polar(centre, angle, kInner), polar(centre, angle, kInner + share * (kOuter - kInner)),
-             rateColour(share), 6);
-  }
-  svg.line(centre, polar(centre, heading, kInner), kVermilion, 2.5);
-}
-
-std::string captionOf(const ArrayInfo& info) {
-  const ArrayAxis& first = info.axes[0];
-  if (info.axes.size() == 1) {
-    return fmt::format("{}: {} 0 is up, positive to the left", info.name, first.name);
-  }
-  return fmt::format("{}, one period of {:.4g} {}: {} to the right, {} up", info.name, first.period,
-                     first.unit, first.name, info.axes[1].name);
-}
-
-// Arrays over time.
-
-constexpr double kArrayPanel = 190;  // px, height of the panel of one array
-
-/// Lines over time for few values, else a heat map over frames and indices, both thinned.
-void drawArray(Svg& svg, double top, const PopulationHistory& array) {
-  constexpr std::size_t kMaxColumns = 100, kMaxRows = 24;  // cells of a heat map
-  const std::vector<double> frames(array.frames.begin(), array.frames.end());
-  const std::size_t size = array.activity.front().size();
-  const ArrayInfo& info = array.info;
-  Range values = Range::none();
-  for (const auto& row : array.activity) {
-    for (const float value : row) {
-      if (std::isfinite(value)) values.include(value);
-    }
-  }
-  if (values.length() < 0) values = {0, 1};
-  AxesPlan plan{
-      fmt::format("{} ({}{}{}){}{}", info.name, fmt::join(array.shape, " x "),
-                  info.unit.empty() ? "" : ", ", info.unit, info.doc.empty() ? "" : ": ", info.doc),
-      "frame",
-      info.unit.empty() ? "value" : info.unit,
-      {frames.front(), frames.back()},
-      values,
-      frame(80, top + 35, 880, top + kArrayPanel - 45)};
-  if (size <= kLineColours.size()) {
-    std::vector<Curve> curves;
-    for (std::size_t i = 0; i < size; ++i) {
-      Curve& curve = curves.emplace_back(Curve{"", lineColour(i), frames, {}});
-      for (const auto& row : array.activity) {
-        curve.y.push_back(std::isfinite(row[i]) ? row[i] : 0);
-      }
-    }
-    plot(svg, plan, curves);
-    return;
-  }
-  plan.y_label = "index";
-  plan.y = {0, static_cast<double>(size)};
-  const Axes axes(svg, plan);
-  Eigen::MatrixXd shown(std::min(kMaxColumns, frames.size()), std::min(kMaxRows, size));
-  for (Eigen::Index c = 0; c < shown.rows(); ++c) {
-    const auto& row = array.activity[static_cast<std::size_t>(c) * frames.size() /
-                                     static_cast<std::size_t>(shown.rows())];
-    for (Eigen::Index r = 0; r < shown.cols(); ++r) {
-      const double value =
-          row[static_cast<std::size_t>(r) * size / static_cast<std::size_t>(shown.cols())];
-      shown(c, r) = std::isfinite(value) ? value - values.low : NAN;
-    }
-  }
-  svg.image(axes.box().min(), axes.box().sizes(), pngUrl(ratePixels(shown, values.length())));
-  colourBar(svg, {axes.box().center().x(), axes.box().min().y() - 8},
-            fmt::format("{:.2g}", values.low), fmt::format("{:.2g}", values.high));
-}
-
-// Firing of units.
 
 constexpr double kUnitPanel = 430;    // px
 constexpr double kModulePanel = 900;  // px, of the maps of a module; two are side by side
@@ -182,8 +81,7 @@ void drawDial(Svg& svg, const Eigen::Vector2d& centre, const evaluation::TuningC
   svg.line(centre, polar(centre, curve.preferred, curve.mean_vector_length * kRadius), kVermilion,
            2);
   svg.text(centre + Eigen::Vector2d(0, kRadius + 12),
-           fmt::format("{:.3g}°, peak {:.2g}", nominal * evaluation::kDegrees, peak),
-           {TextAnchor::Middle, 10});
+           fmt::format("{:.3g}°, peak {:.2g}", nominal * kDegrees, peak), {TextAnchor::Middle, 10});
 }
 
 /// Draws the tuning curves of a ring. Returns the y of its lower end, px.
@@ -264,61 +162,90 @@ double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistor
   return place.y() + zoom * size.y() + kBelow;
 }
 
-}  // namespace
+evaluation::RateMap inMetres(evaluation::RateMap map, const RunData& run) {
+  map.corner *= run.metres;
+  map.bin *= run.metres;
+  return map;
+}
 
-std::string activityFigure(const evaluation::CellHistory& cells,
-                           const std::vector<Decision>& decisions) {
-  constexpr double kWidth = kMoments * kMomentPanel;
-  std::vector<const PopulationHistory*> rows;
-  for (const auto* list : {&cells.rings, &cells.sheets}) {
-    for (const PopulationHistory& population : *list) rows.push_back(&population);
+/// Of the k-th unit that is measured.
+DrawnUnit headDirectionUnit(const RunData& run, std::size_t k,
+                            const evaluation::StampedPoses& poses) {
+  const PopulationHistory& ring = run.cells.rings[0];
+  const std::size_t unit = measuredUnits(ring)[k];
+  const evaluation::TuningCurve& curve = run.metrics.cells->rings[0].scores.units[k].tuning;
+  const std::string width =
+      curve.half_width ? fmt::format(", half width {:.0f} deg", *curve.half_width * kDegrees) : "";
+  return {fmt::format("head direction unit {} of {}, {:.3g} deg", unit + 1, ring.shape[0],
+                      axisAngle(ring.info.axes[0], unit) * kDegrees),
+          fmt::format("mean vector length {:.2f} towards {:.0f} deg{}", curve.mean_vector_length,
+                      curve.preferred * kDegrees, width),
+          inMetres(firingMap(unitsAt(ring, poses, {unit}, run.metrics.cells->truth), 0), run),
+          {}};
+}
+
+DrawnUnit gridUnit(const RunData& run, const evaluation::StampedPoses& poses) {
+  const PopulationHistory& sheet = run.cells.sheets[0];
+  const std::size_t unit = measuredUnits(sheet)[0];
+  const auto columns = static_cast<std::size_t>(sheet.shape[1]);
+  const std::size_t row = unit / columns, column = unit % columns;
+  const auto& axes = sheet.info.axes;
+  const evaluation::PopulationScores& all = run.metrics.cells->sheets[0].scores;
+  const evaluation::MeasuredUnit& measured = all.units[0];
+  const evaluation::Lattice lattice = evaluation::bestLattice(all);
+  const auto& value = measured.scores[lattice.score];
+  const auto& chance = all.scores[lattice.score];
+  const std::string score = value && chance ? fmt::format(", {} score {:.2f} (chance {:.2f})",
+                                                          lattice.name, *value, chance->chance)
+                                            : ", too narrow an area for grid scores";
+  DrawnUnit drawn{
+      fmt::format("grid unit ({}, {}), phase ({:.3g}, {:.3g}) {}", row + 1, column + 1,
+                  axisValue(axes[0], row), axisValue(axes[1], column), axes[0].unit),
+      fmt::format("{} field{}, {:.2f} bits{}", measured.fields, measured.fields == 1 ? "" : "s",
+                  *measured.scores[all.indexOf("spatial_information_bits")], score),
+      inMetres(firingMap(unitsAt(sheet, poses, {unit}, run.metrics.cells->truth), 0), run),
+      {}};
+  drawn.fields = evaluation::fields(drawn.rates);
+  return drawn;
+}
+
+/// What describes a unit of a ring, or of a sheet.
+Json memberJson(const PopulationHistory& population, std::size_t i,
+                const evaluation::MeasuredUnit& unit) {
+  const auto& axes = population.info.axes;
+  if (axes.size() == 1) {
+    return {{"unit", i + 1},
+            {"nominal_deg", axisAngle(axes[0], i) * kDegrees},
+            {"preferred_deg", unit.tuning.preferred * kDegrees},
+            {"tuning", unit.tuning.rate}};
   }
-  if (rows.empty()) return "";
-  std::map<std::int64_t, double> headings;
-  for (const Decision& decision : decisions) headings[decision.frame] = decision.heading;
-  const double bottom = kRowsTop + kRow * static_cast<double>(rows.size());
-  Svg svg(kWidth, bottom + 25);
-  svg.text({kWidth / 2, 26}, "Activity of head direction cells and grid cells",
-           {TextAnchor::Middle, 13, 0, true});
-  const std::vector<std::int64_t>& frames = rows[0]->frames;
-  for (std::size_t i = 0; i < kMoments; ++i) {
-    const double x = (static_cast<double>(i) + 0.5) * kMomentPanel;
-    const std::int64_t frame = frames[i * (frames.size() - 1) / (kMoments - 1)];
-    svg.text(
-        {x, kRowsTop - 12},
-        fmt::format("frame {}, heading {:.1f} deg", frame, headings[frame] * evaluation::kDegrees),
-        {TextAnchor::Middle, 11});
-    double y = kRowsTop + kRing / 2;
-    for (const PopulationHistory* row : rows) {
-      const auto at = std::ranges::lower_bound(row->frames, frame);
-      if (at != row->frames.end() && *at == frame) {  // else it was not recorded there
-        drawActivity(svg, {x, y}, *row,
-                     row->activity[static_cast<std::size_t>(at - row->frames.begin())],
-                     headings[frame]);
+  const auto columns = static_cast<std::size_t>(population.shape[1]);
+  const std::size_t row = i / columns, column = i % columns;
+  return {{"unit", {row + 1, column + 1}},
+          {"nominal", {axisValue(axes[0], row), axisValue(axes[1], column)}},
+          {"fields", unit.fields}};
+}
+
+/// All measured units of all populations.
+Json unitsJson(const std::vector<PopulationHistory>& populations,
+               const std::vector<evaluation::PopulationFigures>& figures) {
+  Json list = Json::array();
+  for (std::size_t p = 0; p < populations.size(); ++p) {
+    const evaluation::PopulationScores& scores = figures[p].scores;
+    const std::vector<std::size_t> measured = measuredUnits(populations[p]);
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      Json& json = list.emplace_back(Json{{"array", figures[p].array}});
+      json.update(memberJson(populations[p], measured[i], scores.units[i]));
+      for (std::size_t k = 0; k < scores.kinds.size(); ++k) {
+        const auto& value = scores.units[i].scores[k];
+        json[std::string(scores.kinds[k].key)] = value ? Json(*value) : Json();
       }
-      y += kRow;
     }
   }
-  double y = kRowsTop + kRing + 20;
-  for (const PopulationHistory* row : rows) {
-    svg.text({kWidth / 2, y}, captionOf(row->info), {TextAnchor::Middle, 11});
-    y += kRow;
-  }
-  colourBar(svg, {kWidth / 2, bottom + 8}, "activity 0", "maximum of each picture");
-  return svg.take();
+  return list;
 }
 
-std::string arrayFigure(const std::vector<PopulationHistory>& arrays) {
-  if (arrays.empty()) return "";
-  const std::span shown = std::span(arrays).first(std::min(arrays.size(), kMaxPanels));
-  Svg svg(900, kArrayPanel * static_cast<double>(shown.size()));
-  double top = 0;
-  for (const PopulationHistory& array : shown) {
-    drawArray(svg, top, array);
-    top += kArrayPanel;
-  }
-  return svg.take();
-}
+}  // namespace
 
 std::string firingFigure(const std::vector<DrawnUnit>& units) {
   if (units.empty()) return "";
@@ -334,7 +261,7 @@ std::string firingFigure(const std::vector<DrawnUnit>& units) {
 std::string unitsFigure(const RunData& run) {
   const auto poses = evaluation::stampedPosesOf(run.places());
   if (!run.metrics.cells || poses.empty()) return "";
-  const auto& [rings, sheets, others] = run.cells;
+  const auto& [rings, sheets] = run.cells;
   const std::size_t across = std::clamp<std::size_t>(sheets.size(), 1, 2);
   Svg svg(kColumn * static_cast<double>(across), 0);
   double top = 0;
@@ -351,6 +278,26 @@ std::string unitsFigure(const RunData& run) {
   }
   svg.extendTo(top);
   return svg.take();
+}
+
+std::vector<DrawnUnit> drawnUnits(const RunData& run) {
+  std::vector<DrawnUnit> units;
+  const auto poses = evaluation::stampedPosesOf(run.places());
+  if (poses.empty() || !run.metrics.cells) return units;
+  if (!run.cells.rings.empty()) {
+    const std::size_t opposite = measuredUnits(run.cells.rings[0]).size() / 2;
+    units = {headDirectionUnit(run, 0, poses), headDirectionUnit(run, opposite, poses)};
+  }
+  if (!run.cells.sheets.empty()) units.push_back(gridUnit(run, poses));
+  return units;
+}
+
+Json neuronsJson(const RunData& run) {
+  if (!run.metrics.cells) return nullptr;
+  const evaluation::CellFigures& figures = *run.metrics.cells;
+  return {{"places", figures.truth ? "truth" : "map"},
+          {"head_direction", unitsJson(run.cells.rings, figures.rings)},
+          {"grid", unitsJson(run.cells.sheets, figures.sheets)}};
 }
 
 }  // namespace tolman::report

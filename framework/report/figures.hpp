@@ -3,7 +3,7 @@
 // firing of single units, drawn and as numbers: neurons.json.
 #pragma once
 
-#include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,7 +13,8 @@
 
 namespace tolman::report {
 
-/// Most panels of one figure: a taller one could not be drawn as PNG. Further arrays are left out.
+/// Most panels of one figure: a taller one could not be drawn as PNG. Further populations are left
+/// out.
 inline constexpr std::size_t kMaxPanels = 40;
 
 /// What is drawn of a map, in the world frame of the run. The truth may be empty.
@@ -29,9 +30,8 @@ struct MapPicture {
 /// The picture of a run, in metres; if the scale is unknown, in the arbitrary units of the run.
 MapPicture pictureOf(const RunData& run, std::string title);
 
-/// Views from above with equal scales and a legend: one panel per run, all with the same axes; the
-/// titles of several begin with a letter.
-std::string mapFigure(const std::vector<MapPicture>& pictures);
+/// The view from above with equal scales and a legend.
+std::string mapFigure(const MapPicture& picture);
 
 /// Position error of odometry and map over time.
 std::string errorFigure(const RunData& run);
@@ -39,30 +39,13 @@ std::string errorFigure(const RunData& run);
 /// Lengths and turns of short stretches against true ones: where one is broken or in other units.
 std::string stepFigure(const RunData& run);
 
-/// Height of odometry, map and truth over the driven distance; empty where all stay level.
-std::string elevationFigure(const RunData& run);
-
 /// The template of each frame, as in the paper: new ones along the upper bound.
 std::string templateFigure(const std::vector<PlaceObservation>& places);
 
 /// Time of each stage, median and 90th percentile.
 std::string timingFigure(const evaluation::Metrics& metrics);
 
-/// Activity of head direction rings and grid modules at the start, and at thirds of the run.
-std::string activityFigure(const evaluation::CellHistory& cells,
-                           const std::vector<Decision>& decisions);
-
-/// Each array over time: lines for up to six values, else a heat map.
-std::string arrayFigure(const std::vector<evaluation::PopulationHistory>& arrays);
-
-/// The units to draw, by indices from 0 in the first ring and the first sheet. For the ring the
-/// unit of the opposite heading is drawn as well.
-struct UnitChoice {
-  std::size_t head_direction = 0;
-  std::size_t row = 0;
-  std::size_t column = 0;
-};
-
+/// A unit that is drawn by itself.
 struct DrawnUnit {
   std::string name;      ///< with indices from 1
   std::string measures;  ///< in words
@@ -70,8 +53,8 @@ struct DrawnUnit {
   std::vector<Eigen::Vector2d> fields{};  ///< centres of the fields of a grid unit
 };
 
-/// Units of the ring first. InvalidParameter for a unit that the run does not have.
-Result<std::vector<DrawnUnit>> drawnUnits(const RunData& run, const UnitChoice& choice);
+/// The first unit of the first ring, its opposite, and the first unit of the first sheet.
+std::vector<DrawnUnit> drawnUnits(const RunData& run);
 
 /// The firing rate maps of single units.
 std::string firingFigure(const std::vector<DrawnUnit>& units);
@@ -80,8 +63,29 @@ std::string firingFigure(const std::vector<DrawnUnit>& units);
 std::string unitsFigure(const RunData& run);
 
 /// Angles in degrees, units from 1; `nominal` as the axis is described. Null without units.
-nlohmann::ordered_json neuronsJson(const RunData& run, const std::vector<DrawnUnit>& drawn);
-/// A rate map as rows from its corner to the right, null in bins without visits.
-nlohmann::ordered_json toJson(const evaluation::RateMap& map);
+nlohmann::ordered_json neuronsJson(const RunData& run);
+// One self-contained HTML page about one run, or several side by side.
+
+struct PageFigure {
+  std::string file;  ///< name without extension, "error"
+  std::string caption;
+  std::string svg;
+};
+
+/// The part of a page about one run.
+struct RunPage {
+  RunData data;
+  std::string directory;  ///< name of the run directory, unique among the runs of one page
+  std::vector<PageFigure> figures;
+  nlohmann::ordered_json neurons;     ///< neuronsJson()
+  nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
+  std::string config;                 ///< config.resolved.yaml
+  bool killed = false;                ///< the run was killed
+};
+
+/// Draws the figures of a run.
+RunPage makePage(const std::filesystem::path& directory, RunData data);
+
+std::string html(const std::vector<RunPage>& runs);
 
 }  // namespace tolman::report

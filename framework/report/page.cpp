@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/page.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <iterator>
-#include <optional>
 
 #include "base/text_file.hpp"
 #include "record/run_directory.hpp"
@@ -18,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kStyle = R"(
-:root { color-scheme: light dark; --line: #8884; --soft: #777; }
+:root { color-scheme: light; --line: #8884; --soft: #777; }
 body { font: 15px/1.45 system-ui, sans-serif; margin: 0 auto; padding: 1rem; max-width: 1900px; }
 h1 { font-size: 1.5rem; margin: .5rem 0; } h2 { font-size: 1.1rem; margin: 1.5rem 0 .5rem; }
 .runs { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 36rem), 1fr)); }
@@ -29,10 +24,6 @@ th:first-child, td:first-child { text-align: left; }
 .counts tbody { display: grid; grid-template-columns: repeat(auto-fill, minmax(12.5rem, 1fr)); column-gap: 2rem; }
 .counts, .counts tr { display: block; } .counts tr { display: flex; justify-content: space-between; border-bottom: 1px solid var(--line); }
 .counts td { border: 0; padding-right: 0; }
-.comparison { table-layout: fixed; width: min(100%, calc(13rem + 11rem * var(--runs))); min-width: calc(6rem + 4.5rem * var(--runs)); }
-.comparison thead th:first-child { width: max(6rem, 20%); }
-.comparison th, .comparison td { white-space: normal; overflow-wrap: anywhere; padding-right: .5rem; vertical-align: top; }
-.comparison thead th { text-align: right; } .comparison tbody th { font-weight: normal; } .settings { border-top: 2px solid var(--line); font-size: .85rem; }
 figure { margin: 1rem 0; } .drawing { overflow-x: auto; }
 .drawing svg { display: block; width: 100%; min-width: calc(.85 * var(--width)); height: auto; border-radius: 4px; }
 @media (min-width: 1000px) { .drawing svg { min-width: calc(.66 * var(--width)); } }
@@ -42,45 +33,21 @@ pre { overflow: auto; padding: .8rem; border: 1px solid var(--line); border-radi
 .wide { overflow-x: auto; }
 )";
 
-/// With other colours in dark mode: figures are drawn for white paper, because they are also files.
-std::string style() {
-  std::string dark = ":root { --soft: #9aa0a8; }\nfigure svg text { fill: #d8dade; }\n";
-  const auto replace = [&](const char* light, const char* colour) {
-    for (const char* attribute : {"fill", "stroke"}) {
-      dark += fmt::format("figure svg [{0}=\"{1}\"] {{ {0}: {2}; }}\n", attribute, light, colour);
-    }
-  };
-  replace(kPaper, "#17191d");
-  replace(kFrameLine, "#9a9fa8");
-  replace(kGridLine, "#2d3137");
-  replace(kFaintLine, "#50555e");
-  replace(kPaleBlue, "#1d3d54");
-  replace(kBlue, "#56b4e9");  // the lighter blue of the same palette
-  return kStyle + ("@media (prefers-color-scheme: dark) {\n" + dark + "}\n");
-}
-
 /// All figures for which the run has data.
-std::vector<PageFigure> figuresOf(const RunData& data, const std::vector<DrawnUnit>& units) {
+std::vector<PageFigure> figuresOf(const RunData& data) {
   std::vector<PageFigure> figures = {
       {"map", "Experience map over odometry and truth, seen from above.",
-       mapFigure({pictureOf(data, data.name)})},
+       mapFigure(pictureOf(data, data.name))},
       {"error", "Distance to the truth at each frame.", errorFigure(data)},
       {"steps",
        "Lengths and turns of short stretches against the true ones: jumps, standstills and "
        "changes of units stand out.",
        stepFigure(data)},
-      {"elevation", "Height over the first camera, against its own vertical axis, along the path.",
-       elevationFigure(data)},
       {"templates",
        "New local view templates along the upper bound; familiar ones below it are places seen "
        "again.",
        templateFigure(data.record.places)},
-      {"activity",
-       "State of the attractor networks at four moments; the red line is the estimated heading.",
-       activityFigure(data.cells, data.record.decisions)},
-      {"arrays", "Other arrays of the cells over time; at most 40 are drawn.",
-       arrayFigure(data.cells.others)},
-      {"firing", "Firing rate of single units along the path.", firingFigure(units)},
+      {"firing", "Firing rate of single units along the path.", firingFigure(drawnUnits(data))},
       {"units",
        "All units: tuning curves, each relative to its peak, with the mean vector in red; rate "
        "maps of grid units at their places in the module.",
@@ -113,54 +80,43 @@ std::string rowOf(const std::vector<std::string>& cells, const char* first = "td
   return text + "</tr>\n";
 }
 
-/// A figure of the errors; a dash where it is not known.
-struct ErrorColumn {
-  const char* heading;
-  std::optional<double> (*value)(const evaluation::Scores&);
-  int decimals = 3;
-
-  std::string text(const evaluation::TrajectoryMetrics& of) const {
-    const auto number = of.scores ? value(*of.scores) : std::nullopt;
-    return number ? fmt::format("{:.{}f}", *number, decimals) : kNone;
+/// The figures of a row of errors; a dash where one is not known.
+std::vector<std::string> errorCells(const char* name, const evaluation::TrajectoryMetrics& of) {
+  std::vector<std::string> cells = {
+      name, fmt::format("{:.1f}{}", of.path_length_m, of.in_metres ? "" : " units")};
+  const evaluation::Scores s = of.scores.value_or(evaluation::Scores{});
+  const auto add = [&](bool known, double value, int decimals = 3) {
+    cells.push_back(of.scores && known ? fmt::format("{:.{}f}", value, decimals) : kNone);
+  };
+  for (const double value : {s.ate_m.rmse, s.ate_m.mean, s.ate_m.median, s.ate_m.max}) {
+    add(true, value);
   }
-};
-
-using evaluation::Scores;
-using Number = std::optional<double>;
-constexpr std::array<ErrorColumn, 9> kErrorColumns = {{
-    {"ATE rmse m", [](const Scores& s) { return Number(s.ate_m.rmse); }},
-    {"mean", [](const Scores& s) { return Number(s.ate_m.mean); }},
-    {"median", [](const Scores& s) { return Number(s.ate_m.median); }},
-    {"max", [](const Scores& s) { return Number(s.ate_m.max); }},
-    {"horizontal rmse m",
-     [](const Scores& s) {
-       return s.horizontal_m.count > 0 ? Number(s.horizontal_m.rmse) : Number();
-     }},
-    {"vertical rmse m",
-     [](const Scores& s) { return s.vertical_m.count > 0 ? Number(s.vertical_m.rmse) : Number(); }},
-    {"t_rel %",
-     [](const Scores& s) {
-       return s.kitti.segments > 0 ? Number(s.kitti.t_rel_percent) : Number();
-     }},
-    {"r_rel °/100 m",
-     [](const Scores& s) {
-       return s.kitti.segments > 0 ? Number(s.kitti.r_rel_deg_per_100m) : Number();
-     }},
-    {"coverage %", [](const Scores& s) { return Number(100 * s.coverage); }, 1},
-}};
+  add(s.horizontal_m.count > 0, s.horizontal_m.rmse);
+  add(s.vertical_m.count > 0, s.vertical_m.rmse);
+  add(s.kitti.segments > 0, s.kitti.t_rel_percent);
+  add(s.kitti.segments > 0, s.kitti.r_rel_deg_per_100m);
+  add(true, 100 * s.coverage, 1);
+  return cells;
+}
 
 /// The errors; warnings, and why the columns of horizontal and vertical error are empty.
 std::string errorTable(const evaluation::Metrics& metrics) {
-  std::vector<std::string> heading = {
-      fmt::format("after {} alignment", evaluation::alignmentText(metrics)), "path m"};
-  for (const ErrorColumn& column : kErrorColumns) heading.emplace_back(column.heading);
+  const std::vector<std::string> heading = {
+      fmt::format("after {} alignment", evaluation::alignmentText(metrics)),
+      "path m",
+      "ATE rmse m",
+      "mean",
+      "median",
+      "max",
+      "horizontal rmse m",
+      "vertical rmse m",
+      "t_rel %",
+      "r_rel °/100 m",
+      "coverage %"};
   std::string rows, warnings, open_turn;
   for (const auto& [name, of] :
        {std::pair("odometry", &metrics.odometry), std::pair("map", &metrics.map)}) {
-    std::vector<std::string> cells = {
-        name, fmt::format("{:.1f}{}", of->path_length_m, of->in_metres ? "" : " units")};
-    for (const ErrorColumn& column : kErrorColumns) cells.push_back(column.text(*of));
-    rows += rowOf(cells);
+    rows += rowOf(errorCells(name, *of));
     if (!of->warning.empty()) {
       warnings +=
           fmt::format("<p><strong>Warning, {}:</strong> {}</p>\n", name, escaped(of->warning));
@@ -297,76 +253,14 @@ std::string section(const RunPage& run, const std::string& name) {
   return text;
 }
 
-constexpr std::size_t kMaxSettings = 12;
-
-/// Rows of settings that all runs have: parameters of plugins that only some use are many.
-std::string settingRows(const std::vector<RunPage>& runs) {
-  std::vector<const config::Node*> trees;
-  trees.reserve(runs.size());
-  for (const RunPage& run : runs) trees.push_back(&run.settings);
-  auto differences = config::differencesOf(trees);
-  std::erase_if(differences, [](const config::Difference& difference) {
-    return difference.key == "name" || difference.key == "threads" ||
-           std::ranges::find(difference.values, "-") != difference.values.end();
-  });
-  std::string text;
-  for (std::size_t i = 0; i < std::min(differences.size(), kMaxSettings); ++i) {
-    std::vector<std::string> cells = differences[i].values;
-    cells.insert(cells.begin(), differences[i].key);
-    text += rowOf(cells, "th");
-  }
-  if (differences.size() > kMaxSettings) {
-    text += fmt::format("<tr><th colspan=\"{}\">and {} more settings</th></tr>\n", runs.size() + 1,
-                        differences.size() - kMaxSettings);
-  }
-  return text;
-}
-
-/// " (interrupted)" for a run that ended before its data, whose figures are of a part of them.
-std::string earlyEnd(const RunPage& run) {
-  if (run.killed) return " (killed)";
-  const Json status = at(run.provenance, "status");
-  if (status != "interrupted" && status != "failed") return "";
-  return " (" + status.get<std::string>() + ")";
-}
-
-/// Rows of the comparison: label and text.
-std::vector<std::pair<std::string, std::string>> comparedFigures(const RunPage& run) {
-  const evaluation::Metrics& metrics = run.data.metrics;
-  const auto counter = [&](const char* name) {
-    const Json value = at(run.provenance, "counters", name);
-    return value.is_null() ? kNone : value.dump();
-  };
-  const auto loops = [&](std::int64_t evaluation::LoopFigures::*count) {
-    return metrics.loops ? std::to_string(*metrics.loops.*count) : kNone;
-  };
-  return {{"alignment", evaluation::alignmentText(metrics)},
-          {"map ATE rmse m", kErrorColumns[0].text(metrics.map)},
-          {"odometry ATE rmse m", kErrorColumns[0].text(metrics.odometry)},
-          {"odometry t_rel %", kErrorColumns[6].text(metrics.odometry)},
-          {"coverage %", kErrorColumns[8].text(metrics.odometry)},
-          {"loop links", std::to_string(metrics.counts.loop_links)},
-          {"true loop links", loops(&evaluation::LoopFigures::true_links)},
-          {"false loop links", loops(&evaluation::LoopFigures::false_links)},
-          {"frames", std::to_string(metrics.frames)},
-          {"lost", counter("lost")},
-          {"dropped", counter("dropped")}};
-}
-
 }  // namespace
 
-Result<RunPage> makePage(const std::filesystem::path& directory, RunData data,
-                         const UnitChoice& units) {
-  const auto drawn = drawnUnits(data, units);
-  if (!drawn.isOk()) {
-    return Status(drawn.status().code(),
-                  directory.filename().string() + ": " + drawn.status().message());
-  }
+RunPage makePage(const std::filesystem::path& directory, RunData data) {
   const auto config = text_encoding::readText(directory / "config.resolved.yaml");
   RunPage page{{},
                directory.filename().string(),
-               figuresOf(data, drawn.value()),
-               neuronsJson(data, drawn.value()),
+               figuresOf(data),
+               neuronsJson(data),
                record::RunDirectory::readRunFile(directory),
                config.isOk() ? config.value() : "",
                record::RunDirectory::wasKilled(directory)};
@@ -376,59 +270,19 @@ Result<RunPage> makePage(const std::filesystem::path& directory, RunData data,
   return page;
 }
 
-std::string comparisonTable(const std::vector<RunPage>& runs) {
-  if (runs.size() < 2) return "";
-  std::vector<std::string> heading(1);
-  std::vector<std::vector<std::string>> rows;
-  for (const RunPage& run : runs) {
-    heading.push_back(run.directory + earlyEnd(run));
-    const auto figures = comparedFigures(run);
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-      if (rows.size() <= i) rows.push_back({figures[i].first});
-      rows[i].push_back(figures[i].second);
-    }
-  }
-  std::string head = rowOf(heading, "th", "th");
-  head.pop_back();  // the line feed
-  std::string text = fmt::format(
-      "<h1>Comparison</h1>\n<div class=\"wide\"><table class=\"comparison\" "
-      "style=\"--runs: {}\">\n<thead>{}</thead>\n<tbody>\n",
-      runs.size(), head);
-  for (const std::vector<std::string>& cells : rows) text += rowOf(cells, "th");
-  const std::string settings = settingRows(runs);
-  if (!settings.empty()) text += "</tbody>\n<tbody class=\"settings\">\n" + settings;
-  return text + "</tbody></table></div>\n";
-}
-
-std::string comparisonFigure(const std::vector<RunPage>& runs) {
-  if (runs.size() < 2) return "";
-  std::vector<MapPicture> pictures;
-  for (const RunPage& run : runs) {
-    const auto& scores = run.data.metrics.map.scores;
-    const std::string error = scores ? fmt::format(", map rmse {:.2f} m", scores->ate_m.rmse) : "";
-    pictures.push_back(pictureOf(run.data, run.directory + error));
-  }
-  return mapFigure(pictures);
-}
-
 std::string html(const std::vector<RunPage>& runs) {
-  std::string title;
-  std::string body = comparisonTable(runs);
-  if (const std::string maps = comparisonFigure(runs); !maps.empty()) {
-    body += figureText("comparison", maps, "The maps of all runs, with the same axes.");
-  }
-  body += "<main class=\"runs\">\n";
+  std::string title, sections;
   for (const RunPage& run : runs) {
     const std::string& name = runs.size() > 1 ? run.directory : run.data.name;
     title += (title.empty() ? "" : ", ") + name;
-    body += section(run, name);
+    sections += section(run, name);
   }
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>Tolman: {}</title>\n<style>{}</style>\n</head>\n<body>\n{}"
+      "<title>Tolman: {}</title>\n<style>{}</style>\n</head>\n<body>\n<main class=\"runs\">\n{}"
       "</main>\n</body>\n</html>\n",
-      escaped(title), style(), body);
+      escaped(title), kStyle, sections);
 }
 
 }  // namespace tolman::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of paths: the map from above, errors, heights, templates and times.
+// Pictures of paths: the map from above, errors, templates and times.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,14 +12,12 @@
 namespace tolman::report {
 namespace {
 
-constexpr double kLongSide = 820;  // px; frame of a single map
-constexpr double kPanelSide = 420;
+constexpr double kLongSide = 820;  // px
 constexpr double kLeft = 70;
 constexpr double kMapTop = 66;
 constexpr double kRight = 30;
 constexpr double kBottom = 50;
-constexpr double kMinWidth = 520;  // for the legend
-constexpr std::size_t kPanelsInARow = 3;
+constexpr double kMinWidth = 520;         // for the legend
 constexpr double kPixelsPerCircle = 2.5;  // with less space experiences are drawn as dots
 
 bool isAcceptedLoop(const MapGraph& graph, const Link& link) {
@@ -29,13 +27,11 @@ bool isAcceptedLoop(const MapGraph& graph, const Link& link) {
 /// What is drawn of the plane. Forward is up, or right for a path more than twice as long as wide.
 class PlanView {
  public:
-  explicit PlanView(const std::vector<MapPicture>& pictures) {
-    for (const MapPicture& picture : pictures) {
-      for (const auto* line : {&picture.truth, &picture.odometry, &picture.map}) {
-        for (const auto& pose : *line) {
-          const Eigen::Vector3d at = pose.T_world_camera.translation();
-          box_.extend(Eigen::Vector2d(at.x(), at.z()));
-        }
+  explicit PlanView(const MapPicture& picture) {
+    for (const auto* line : {&picture.truth, &picture.odometry, &picture.map}) {
+      for (const auto& pose : *line) {
+        const Eigen::Vector3d at = pose.T_world_camera.translation();
+        box_.extend(Eigen::Vector2d(at.x(), at.z()));
       }
     }
     if (box_.isEmpty()) box_.extend(Eigen::Vector2d::Zero());
@@ -51,12 +47,11 @@ class PlanView {
   Eigen::Vector2d pixels(double side) const {
     return box_.sizes() * side / box_.sizes().maxCoeff();
   }
-  AxesPlan plan(const MapPicture& picture, const std::string& title,
-                const Eigen::AlignedBox2d& place) const {
+  AxesPlan plan(const MapPicture& picture, const Eigen::AlignedBox2d& place) const {
     const auto label = [&](const char* side) {
       return fmt::format("{} of the start ({})", side, picture.unit);
     };
-    return {title,
+    return {picture.title,
             label(lying_ ? "ahead" : "right"),
             label(lying_ ? "left" : "ahead"),
             {box_.min().x(), box_.max().x()},
@@ -116,32 +111,9 @@ std::vector<Axes::LegendEntry> entries(const MapPicture& picture) {
   return list;
 }
 
-void drawMap(Svg& svg, const PlanView& view, const MapPicture& picture, const std::string& title,
-             const Eigen::AlignedBox2d& place) {
-  Axes axes(svg, view.plan(picture, title, place));
-  if (!picture.truth.empty()) drawPath(svg, view, axes, picture.truth, kGrey, 4);
-  drawPath(svg, view, axes, picture.odometry, kOrange, 1.5);
-  drawPath(svg, view, axes, picture.map, kBlue, 1.5);
-  drawGraph(svg, view, axes, picture.graph);
-  axes.legend(entries(picture));
-}
-
 std::string entry(const char* name, const evaluation::TrajectoryMetrics& metrics) {
   if (!metrics.scores) return name;
   return fmt::format("{}, rmse {:.3f} m", name, metrics.scores->ate_m.rmse);
-}
-
-constexpr double kLevel = 0.1;  // m; heights that differ by less are not drawn
-
-/// The height in metres over the driven distance. In the world frame y is down.
-Curve profileOf(const char* colour, const char* name, const evaluation::Trajectory& trajectory,
-                double metres) {
-  Curve profile{name, colour, evaluation::distances(trajectory), {}};
-  for (double& driven : profile.x) driven *= metres;
-  for (const auto& pose : trajectory) {
-    profile.y.push_back(-pose.T_world_camera.translation().y() * metres);
-  }
-  return profile;
 }
 
 }  // namespace
@@ -159,23 +131,16 @@ MapPicture pictureOf(const RunData& run, std::string title) {
   return picture;
 }
 
-std::string mapFigure(const std::vector<MapPicture>& pictures) {
-  const bool is_single = pictures.size() == 1;
-  const PlanView view(pictures);
-  const Eigen::Vector2d size = view.pixels(is_single ? kLongSide : kPanelSide);
-  const Eigen::Vector2d cell(std::max(kLeft + size.x() + kRight, kMinWidth),
-                             kMapTop + size.y() + kBottom);
-  const std::size_t columns = std::min(pictures.size(), kPanelsInARow);
-  const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
-  Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::string letter =
-        is_single ? "" : fmt::format("({}) ", static_cast<char>('a' + i % 26));
-    const Eigen::Vector2d from(cell.x() * static_cast<double>(i % kPanelsInARow) + kLeft,
-                               cell.y() * static_cast<double>(i / kPanelsInARow) + kMapTop);
-    drawMap(svg, view, pictures[i], letter + pictures[i].title,
-            frame(from.x(), from.y(), from.x() + size.x(), from.y() + size.y()));
-  }
+std::string mapFigure(const MapPicture& picture) {
+  const PlanView view(picture);
+  const Eigen::Vector2d size = view.pixels(kLongSide);
+  Svg svg(std::max(kLeft + size.x() + kRight, kMinWidth), kMapTop + size.y() + kBottom);
+  Axes axes(svg, view.plan(picture, frame(kLeft, kMapTop, kLeft + size.x(), kMapTop + size.y())));
+  if (!picture.truth.empty()) drawPath(svg, view, axes, picture.truth, kGrey, 4);
+  drawPath(svg, view, axes, picture.odometry, kOrange, 1.5);
+  drawPath(svg, view, axes, picture.map, kBlue, 1.5);
+  drawGraph(svg, view, axes, picture.graph);
+  axes.legend(entries(picture));
   return svg.take();
 }
 
@@ -215,27 +180,6 @@ std::string stepFigure(const RunData& run) {
   plot(svg, {"", "frame", "turn apart (deg)", frames, {0, 0.1}, frame(70.0, 310.0, 880.0, 470.0)},
        turns);
   return svg.take();
-}
-
-std::string elevationFigure(const RunData& run) {
-  if (run.metrics.alignment == evaluation::Alignment::Se2 || !run.has_metres) return "";
-  std::vector<Curve> profiles;
-  if (!run.truth.empty()) {
-    profiles.push_back(profileOf(kGrey, "truth", run.truth, run.metres));
-    profiles.back().thickness = 4;
-  }
-  profiles.push_back(profileOf(kOrange, "odometry", run.odometry, run.metres));
-  profiles.push_back(profileOf(kBlue, "map", run.map, run.metres));
-  Range driven{0, 0};
-  Range height{0, 0};
-  for (const Curve& profile : profiles) {
-    for (const double x : profile.x) driven.include(x);
-    for (const double y : profile.y) height.include(y);
-  }
-  if (height.length() < kLevel || !(driven.length() > 0)) return "";
-  return curveFigure(
-      {"Height along the path", "distance driven (m)", "height (m)", driven, Range::none(), {}},
-      profiles, {900, 330});
 }
 
 std::string templateFigure(const std::vector<PlaceObservation>& places) {

@@ -339,8 +339,8 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     data.map_error = errorsOf(data.map, data.metrics.map);
     alignTruth(data, truth);
     data.cells = cellsOf(reader);
-    data.metrics.cells = evaluation::scoreCells(data.cells, data.map, must(reader.map()),
-                                                data.truth, scoresForCells(data, truth), seed);
+    data.metrics.cells =
+        evaluation::scoreCells(data.cells, data.map, data.truth, scoresForCells(data, truth), seed);
     return data;
   });
 }

@@ -28,7 +28,6 @@ inline constexpr const char* kPurple = "#CC79A7";
 inline constexpr std::array kLineColours = {kBlue, kVermilion, kGreen, kOrange, kPurple, kGrey};
 constexpr const char* lineColour(std::size_t i) { return kLineColours[i % kLineColours.size()]; }
 
-// The page replaces these colours in dark mode, so each of them has only one use.
 inline constexpr const char* kPaper = "white";
 inline constexpr const char* kFrameLine = "#444444";
 inline constexpr const char* kGridLine = "#e6e6e6";

@@ -42,30 +42,22 @@ struct Track {
 
 }  // namespace
 
-TEST_CASE("bench measures the source alone and the chain, each repeat in its own pass") {
+TEST_CASE("bench measures every stage, against the source") {
   const Track track;
-  const auto json = track.json({"--repeat", "2"});
+  const auto json = track.json({});
   CHECK(json["name"] == "tiny");
   CHECK(contains(json["source"], "12 stereo pairs"));
+  CHECK(json["frames"] == 12);
+  CHECK(json["seconds"].get<double>() > 0);
   CHECK(json["interrupted"] == false);
-  REQUIRE(json["rows"].size() == 4);
-  CHECK(json["rows"][0]["ratio"] == 1);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& pass = json["rows"][i];
-    CHECK(pass["pass"] == (i < 2 ? "source" : "chain"));
-    CHECK(pass["repeat"] == i % 2 + 1);
-    CHECK(pass["frames"] == 12);
-    CHECK(pass["seconds"].get<double>() > 0);
-    CHECK(pass["frames_per_second"].get<double>() == Approx(12 / pass["seconds"].get<double>()));
-    CHECK(pass["peak_mib"].get<double>() > 1);
-    CHECK(pass["stages"]["source"]["frames"] == 12);
-  }
+  REQUIRE(json["rows"].size() == 5);
+  const double source_ms = json["rows"][0]["mean_ms"].get<double>();
+  std::size_t i = 0;
   for (const char* stage : {"source", "odometry", "place", "cells", "map"}) {
-    const auto& timing = json["rows"][3]["stages"][stage];
-    INFO(stage);
-    CHECK(timing["frames"] == 12);
-    CHECK(timing["median_ms"].get<double>() <= timing["p90_ms"].get<double>());
-    CHECK(timing["p90_ms"].get<double>() <= timing["max_ms"].get<double>());
+    const auto& row = json["rows"][i++];
+    CHECK(row["stage"] == stage);
+    CHECK(row["median_ms"].get<double>() <= row["p95_ms"].get<double>());
+    CHECK(row["of_source"].get<double>() == Approx(row["mean_ms"].get<double>() / source_ms));
   }
 }
 
@@ -89,35 +81,16 @@ TEST_CASE("bench refuses counts and lengths that are none, in a short sentence")
   }
 }
 
-TEST_CASE("bench --frames counts exactly so many") {
+TEST_CASE("bench --frames counts exactly so many, and prints a small table") {
   const Track track;
-  const auto json = track.json({"--repeat", "1", "--frames", "5"});
-  CHECK(json["rows"][0]["frames"] == 5);
-  CHECK(json["rows"][1]["frames"] == 5);
-  CHECK(json["rows"][1]["stages"]["map"]["frames"] == 5);
-}
-
-TEST_CASE("bench leaves the chain out when told so, or when there is none") {
-  Track track;
-  CHECK(track.json({"--repeat", "1", "--source-only"})["rows"].size() == 1);
-  track.config = track.folder.path() / "source.yaml";
-  std::ofstream(track.config) << "source: {plugin: kitti, path: sequence}\n";
-  const auto json = track.json({"--repeat", "1"});
-  REQUIRE(json["rows"].size() == 1);
-  CHECK(json["rows"][0]["pass"] == "source");
-}
-
-TEST_CASE("bench prints a small table") {
-  const Track track;
-  const Finished finished = track.bench({"--repeat", "2"});
+  const Finished finished = track.bench({"--frames", "5"});
   REQUIRE(finished.exit_code == 0);
   INFO(finished.out);
   CHECK(finished.out.starts_with("tiny: KITTI odometry, 12 stereo pairs"));
-  CHECK(contains(finished.out, "\npass    repeat  frames  frames/s  ratio  peak MiB "));
-  CHECK(contains(finished.out, "\nsource       1      12"));
-  CHECK(contains(finished.out, "\nchain        2      12"));
-  CHECK(contains(finished.out, " odometry ms"));
-  CHECK(contains(finished.err, "frame 12 of 12 (100 %)"));  // the progress of each pass
+  CHECK(contains(finished.out, "; 5 frames in "));
+  CHECK(contains(finished.out, "\nstage     mean ms  median ms  95 % ms  of source\n"));
+  CHECK(contains(finished.out, "\nodometry "));
+  CHECK(contains(finished.err, "frame 5 of 5 (100 %)"));
 }
 
 TEST_CASE("bench of a configuration that is wrong ends as a run would") {
@@ -128,7 +101,6 @@ TEST_CASE("bench of a configuration that is wrong ends as a run would") {
   const Finished half = track.bench({"--set", "place.treshold=1"});
   CHECK(half.exit_code == 3);
   CHECK(contains(half.err, "did you mean 'threshold'?"));
-  CHECK(track.bench({"--repeat", "0"}).exit_code == 2);
   fs::remove(track.folder.path() / "sequence/image_0/000003.png");
   CHECK(track.bench({}).exit_code == 5);
 }

@@ -214,7 +214,6 @@ TEST_CASE("report of runs that were made and moved; of what is none, one clear e
   CHECK(contains(finished.out, (both / "report.html").string()));
   CHECK(contains(readText(both / "figures" / "two" / "map.svg"), "<svg"));
   CHECK(contains(readText(both / "figures" / "two" / "map.png"), "PNG"));
-  CHECK(contains(readText(both / "figures" / "comparison.svg"), "(b) "));
   const Finished none = tolman::test::tolman({"report", folder.path().string()});
   CHECK(none.exit_code == 5);
   CHECK(contains(none.err, "run.sqlite"));
@@ -239,26 +238,6 @@ TEST_CASE("a run of one frame is one without motion, with its own sentence") {
   const auto json = readJson(out / "run.json");
   CHECK(json["status"] == "finished");
   CHECK(contains(json["message"], "it has one frame"));
-}
-
-TEST_CASE("report draws the units that are asked for, counted from one") {
-  TemporaryFolder folder;
-  writeTinyKitti(folder.path() / "sequence", 6);
-  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
-  const std::string run = (folder.path() / "run").string();
-  REQUIRE(tolman::test::tolman(tinyRun(config, run)).exit_code == 0);
-  const Finished finished =
-      tolman::test::tolman({"report", run, "--hd-unit", "7", "--grid-unit", "2,3"});
-  INFO(finished.err);
-  CHECK(finished.exit_code == 0);
-  const auto numbers = nlohmann::json::parse(readText(run + "/figures/neurons.json"));
-  CHECK(numbers["head_direction"].size() == 36);
-  CHECK(numbers["rate_maps"].contains("head direction unit 7 of 36, 60 deg"));
-  CHECK(contains(numbers["rate_maps"].dump(), "\"grid unit (2, 3), phase "));
-  const Finished beyond = tolman::test::tolman({"report", run, "--hd-unit", "37"});
-  CHECK(beyond.exit_code == 2);
-  CHECK(beyond.err == "run: there is no head direction unit 37: this run has 36\n");
-  CHECK(tolman::test::tolman({"report", run, "--grid-unit", "0,1"}).exit_code == 2);
 }
 
 TEST_CASE("plan leads from experience to experience, or to a place") {

@@ -156,19 +156,6 @@ TEST_CASE("a run does not go on in its own directory", "[data]") {
   CHECK(linesOf(fs::path(run) / "trajectory.tum") == 31);
 }
 
-TEST_CASE("the code of a second session has the origin of the first", "[data]") {
-  const auto data = dataOrSkip("kitti_motion/06");
-  if (!data) return;
-  const TemporaryFolder out;
-  const std::string first = (out.path() / "first").string();
-  const std::string second = (out.path() / "second").string();
-  REQUIRE(drive(*data, first, 0, 820).exit_code == 0);
-  REQUIRE(drive(*data, second, 860, 1100, {}, first).exit_code == 0);
-  const auto error = readJson(fs::path(second) / "metrics.json")["cells"]["position_error"];
-  CHECK(error["frames"] == 241);
-  CHECK(error["median_m"] < 3);  // 54 m lie between the end of the first and the second
-}
-
 TEST_CASE("what nothing joins is said to be apart", "[data]") {
   const auto data = dataOrSkip("kitti_motion/07");
   if (!data) return;

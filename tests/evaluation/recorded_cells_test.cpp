@@ -46,7 +46,6 @@ TEST_CASE("angles make a ring, two periodic axes a module; what never came is dr
   CHECK(cells.rings[0].info.name == "ring");
   REQUIRE(cells.sheets.size() == 1);
   CHECK(cells.sheets[0].info.name == "sheet");
-  CHECK(cells.others.size() == 4);
 }
 
 TEST_CASE("an array of another shape than described is left out") {
@@ -62,7 +61,6 @@ TEST_CASE("long runs are kept at evenly spaced frames") {
   constexpr std::int64_t kFrames = 12000;
   for (std::int64_t i = 0; i < kFrames; ++i) {
     cells.add(i, arrayOf("ring", {4}, 4, static_cast<double>(i)));
-    cells.add(i, arrayOf("other", {1}, 1, static_cast<double>(i)));
   }
   const PopulationHistory& ring = cells.rings[0];
   CHECK((ring.frames.size() >= 2500 && ring.frames.size() <= 5000));
@@ -72,7 +70,6 @@ TEST_CASE("long runs are kept at evenly spaced frames") {
     REQUIRE(ring.activity[i][0] == static_cast<float>(ring.frames[i]));
   }
   CHECK(ring.frames.back() > kFrames - 1 - stride);
-  CHECK(cells.others[0].frames.size() <= 240);
 }
 
 TEST_CASE("units have the places of their frames; those without a pose, or lost, are left out") {

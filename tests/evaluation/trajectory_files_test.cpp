@@ -176,7 +176,7 @@ TEST_CASE("broken trajectory files are refused with file and line") {
   CHECK(folder.kittiRefusal("2 0 0 0 0 2 0 0 0 0 2 0\n") ==
         "poses.txt:1: the rotation part is not a rotation matrix");
   CHECK(readTrajectory("/nowhere/at/all").status().message() ==
-        "/nowhere/at/all: cannot be read (No such file or directory); check path and permissions");
+        "/nowhere/at/all: is missing; restore it, or correct the path");
   CHECK_FALSE(readTrajectory("/tmp").isOk());
 }
 

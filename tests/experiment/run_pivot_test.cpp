@@ -80,9 +80,6 @@ TEST_CASE("runs of one cell must not differ in alignment, truth or coverage") {
   };
   const auto lost = [](RunRow& r) { r.metrics["map.coverage"] = 0.6; };
   CHECK_THAT(refusal(lost, options()), Catch::Contains("cover 100.0 % and 60.0 % of the truth"));
-  PivotOptions mixed = options();
-  mixed.mixed_coverage = true;
-  CHECK(refusal(lost, mixed).empty());
   PivotOptions apart = options();
   apart.by = {"model", "seed"};
   CHECK(refusal(lost, apart).empty());  // cells of one run each

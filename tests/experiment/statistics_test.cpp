@@ -72,26 +72,3 @@ TEST_CASE("groups that differ widen the interval of the mean") {
   CHECK(interval.low == 0);
   CHECK(interval.high == 10);
 }
-
-TEST_CASE("Sobol' points") {
-  // scipy.stats.qmc.Sobol(4, scramble=False).random(6)
-  const std::vector<std::vector<double>> expected = {{0, 0, 0, 0},
-                                                     {0.5, 0.5, 0.5, 0.5},
-                                                     {0.75, 0.25, 0.25, 0.25},
-                                                     {0.25, 0.75, 0.75, 0.75},
-                                                     {0.375, 0.375, 0.625, 0.875},
-                                                     {0.875, 0.875, 0.125, 0.375}};
-  CHECK(samplePoints(6, 4, std::nullopt) == expected);
-  // Each of the first 2^k points lies in an interval of its own, in every dimension.
-  const auto points = samplePoints(256, kSobolDimensions, std::nullopt);
-  for (std::size_t d = 0; d < kSobolDimensions; ++d) {
-    std::vector<int> hits(256, 0);
-    for (const auto& point : points) ++hits[static_cast<std::size_t>(point[d] * 256)];
-    CHECK(hits == std::vector<int>(256, 1));
-  }
-}
-
-TEST_CASE("random points follow from the seed") {
-  CHECK(samplePoints(3, 2, 7) == samplePoints(3, 2, 7));
-  CHECK(samplePoints(3, 2, 7) != samplePoints(3, 2, 8));
-}

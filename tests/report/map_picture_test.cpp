@@ -79,23 +79,6 @@ TEST_CASE("experiences are circles, loop links lines; the title cannot break the
   CHECK(svg.find("1 loop link<") != std::string::npos);
 }
 
-TEST_CASE("panels of several runs have the same axes") {
-  report::MapPicture near;
-  near.title = "near";
-  near.map = path({{0, 0}, {0, 10}, {10, 10}});
-  report::MapPicture far = near;
-  far.title = "far";
-  far.map = path({{0, 0}, {0, 40}, {40, 40}});
-  const std::string svg = report::mapFigure({near, far});
-  CHECK(svg.find("(a) near") != std::string::npos);
-  CHECK(svg.find("(b) far") != std::string::npos);
-  const auto small = polyline(svg, 1);
-  const auto large = polyline(svg, 3);  // each panel has its odometry first
-  CHECK((large[1] - large[0]).norm() == Approx(4 * (small[1] - small[0]).norm()).margin(0.3));
-  CHECK(small[0].y() == Approx(large[0].y()));  // the start is at the same place of its panel
-  CHECK(large[0].x() - small[0].x() > 400);
-}
-
 TEST_CASE("axes are in metres") {
   report::MapPicture picture;
   picture.map = path({{0, 0}, {0, 100}, {60, 100}});

@@ -15,11 +15,6 @@ namespace tolman::test {
 inline constexpr double kTurn = 2 * std::numbers::pi;
 inline constexpr std::int64_t kFrames = 600;
 
-struct Errors {
-  double heading = 0;                                  ///< rad
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m, after the first frame
-};
-
 struct Described {
   std::vector<double> periods = {20, 28.4};
   const char* unit = "m";
@@ -83,7 +78,7 @@ inline std::vector<NamedArray> cellsAt(const PlanarPose& pose, const Described& 
 
 /// The map is right; the truth is in a frame that is turned by a quarter and shifted.
 inline void recordWalk(const std::filesystem::path& folder, const Described& described,
-                       const Errors& errors) {
+                       double heading_error) {
   Eigen::Isometry3d T_truth_map = fromPlanar({100, -50, kTurn / 4});
   auto recorder = record::Recorder::open(folder).value();
   RunInfo run;
@@ -105,10 +100,7 @@ inline void recordWalk(const std::filesystem::path& folder, const Described& des
     update.experience = 0;
     update.T_experience_camera = fromPlanar(pose);
     const MapGraph graph{0, {experienceAt(0, 0, 0)}, {}, {}};
-    const double wrong = i == 0 ? 0 : 1;
-    const auto cells = cellsAt({pose.x + wrong * errors.position.x(),
-                                pose.y + wrong * errors.position.y(), pose.theta + errors.heading},
-                               described);
+    const auto cells = cellsAt({pose.x, pose.y, pose.theta + heading_error}, described);
     Snapshot snapshot;
     snapshot.frame = &frame;
     snapshot.motion = &motion;
@@ -121,9 +113,9 @@ inline void recordWalk(const std::filesystem::path& folder, const Described& des
 }
 
 /// The walk as a report reads it, with seed 3.
-inline report::RunData readWalk(const Described& described, const Errors& errors = {}) {
+inline report::RunData readWalk(const Described& described, double heading_error = 0) {
   const TemporaryFolder folder;
-  recordWalk(folder.path(), described, errors);
+  recordWalk(folder.path(), described, heading_error);
   auto data = report::readRun(*record::RunReader::open(folder.path()).value(), {}, 3);
   INFO(data.status().message());
   REQUIRE(data.isOk());

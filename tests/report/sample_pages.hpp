@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "record/sample_run.hpp"
-#include "report/page.hpp"
+#include "report/figures.hpp"
 
 namespace tolman::test {
 
@@ -89,13 +89,12 @@ inline void recordRichRun(const std::filesystem::path& folder, std::int64_t fram
 }
 
 /// The page of a recorded run, evaluated by the default settings with seed 1.
-inline Result<report::RunPage> pageOf(const std::filesystem::path& folder,
-                                      const report::UnitChoice& units = {}) {
+inline Result<report::RunPage> pageOf(const std::filesystem::path& folder) {
   const auto reader = record::RunReader::open(folder);
   if (!reader.isOk()) return reader.status();
   auto data = report::readRun(*reader.value(), {}, 1);
   if (!data.isOk()) return data.status();
-  return report::makePage(folder, std::move(data).value(), units);
+  return report::makePage(folder, std::move(data).value());
 }
 
 }  // namespace tolman::test
