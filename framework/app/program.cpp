@@ -50,17 +50,55 @@ void limitFragmentation() {
 #endif
 }
 
+struct Example {
+  std::string_view command;
+  std::string_view purpose;
+};
+
+/// The help of each command ends with those that begin with it.
+constexpr std::array kExamples = {
+    Example{"tolman run demo --out runs/demo", "a block of the built-in town"},
+    Example{"tolman run ~/recording --view", "your own recording, watched in the browser"},
+    Example{"tolman run configs/kitti.yaml --set source.path=~/kitti/sequences/06", "a data set"},
+    Example{"tolman run configs/kitti.yaml --continue runs/monday", "continue a saved map"},
+    Example{"tolman run configs/kitti.yaml --localise runs/monday", "where in that saved map?"},
+    Example{"tolman check configs/kitti.yaml --explain", "every value and where it comes from"},
+    Example{"tolman init ~/recording --out mine.yaml", "a configuration for your own recording"},
+    Example{"tolman try ~/recording --out tried", "which modules are best on it"},
+    Example{"tolman plugins describe bayesian_attractor", "parameters of a plugin"},
+    Example{"tolman plugins doctor build/mine.so", "why is a library not loaded?"},
+    Example{"tolman plugins new place my_places", "a repository with a plugin that works"},
+    Example{"tolman plugins new cells mine --python", "one file in Python that works"},
+    Example{"tolman plugins validate build/mine.so", "does a plugin satisfy the contract?"},
+    Example{"tolman dataset check ~/kitti/sequences/06", "is the data set sound?"},
+    Example{"tolman dataset render town.yaml --out town", "any source as a KITTI folder"},
+    Example{"tolman bench configs/kitti.yaml --frames 200", "how fast is every stage?"},
+    Example{"tolman report runs/demo", "figures and a page about a run, or several"},
+    Example{"tolman view runs/demo", "a run in the browser; also while it is running"},
+    Example{"tolman plan runs/demo --from 0 --to 40,-120", "the fastest way through a map"},
+    Example{"tolman sweep study.yaml --dry-run", "are all points right, and how many are to do?"},
+    Example{"tolman sweep study.yaml --jobs 4", "run what is not done yet"},
+    Example{"tolman compare sweeps/study --by cells.period", "a table with intervals"},
+    Example{"tolman rerun runs/demo --verify", "does it still give the same bytes?"},
+    Example{"tolman export runs/demo", "trajectories and map of a run that was killed"},
+    Example{"tolman eval truth.txt estimate.txt", "errors of any TUM or KITTI trajectory"},
+};
 constexpr const char* kExitCodes =
     "With every command: --json, -q or --quiet, --plugin-path PATH (`tolman --help`).\n"
     "Exit codes: 0 ok, 2 usage, 3 configuration, 4 plugin, 5 dataset, 6 tracking lost,\n"
     "  7 plugin failed while running, 8 record (disk) or output, 9 session,\n"
     "  70 internal error or out of memory, 130 interrupted\n";
 
-/// Adds the exit codes to the help of each command.
-void addExitCodes(CLI::App& app) {
-  app.footer(kExitCodes);
+/// Adds examples and exit codes to the help of each command.
+void addExamples(CLI::App& app, const std::string& command) {
+  std::string text;
+  for (const Example& example : kExamples) {
+    if (!example.command.starts_with(command)) continue;
+    text += fmt::format("  {:<48}  {}\n", example.command, example.purpose);
+  }
+  app.footer((text.empty() ? "" : "Examples:\n" + text + "\n") + kExitCodes);
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-    addExitCodes(*sub);
+    addExamples(*sub, command + " " + sub->get_name());
   }
 }
 
@@ -177,7 +215,7 @@ int runProgram(const std::vector<std::string>& command_line) try {
   app.set_version_flag("--version",
                        std::string("tolman ") + engine::kVersion + " (" + engine::kRevision + ")");
   addStageCommand(app);
-  addExitCodes(app);
+  addExamples(app, "tolman");
   return static_cast<int>(parse(app, {command_line.begin() + 1, command_line.end()}, invocation));
 } catch (const std::bad_alloc&) {
   std::cerr << "tolman: out of memory\n";

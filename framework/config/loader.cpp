@@ -191,6 +191,20 @@ Status applyOverride(Node& tree, const std::string& argument, const Origin& orig
   return assign(tree, parts.value(), std::move(*value), origin);
 }
 
+/// What `stage` has beside its plugin, if `now` has another plugin.
+std::string leftOut(const Node& stage, const Node* now) {
+  const Node* plugin = stage.find("plugin");
+  const Node* other = now == nullptr ? nullptr : now->find("plugin");
+  if (other == nullptr || !namesOtherPlugin(stage, *other)) return "";
+  std::vector<std::string> keys;
+  for (const Node& child : stage.children) {
+    if (&child != plugin && now->find(child.key) == nullptr) keys.push_back(child.key);
+  }
+  if (keys.empty()) return "";
+  return other->text + " replaces " + plugin->text +
+         ", whose parameters are not used: " + listed(keys);
+}
+
 }  // namespace
 
 void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
@@ -230,7 +244,12 @@ Loaded load(const fs::path& file, const std::vector<std::string>& overrides,
     const Origin origin = Origin::ofFile(loaded.file);
     loaded.tree = Loader(environment, find_shipped, loaded).merged(file, origin);
   }
+  const Node before = loaded.tree;
   applyOverrides(loaded.tree, overrides, environment, loaded.problems);
+  for (const Node& stage : before.children) {
+    const std::string note = leftOut(stage, loaded.tree.find(stage.key));
+    if (!note.empty()) loaded.notes.push_back(stage.key + ": " + note);
+  }
   return loaded;
 }
 

@@ -26,10 +26,12 @@ void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
 Status setValue(Node& tree, const std::string& path, const Node& value);
 
 struct Loaded {
-  Node tree;             ///< a map, without `extends`
-  BaseFolders folders;   ///< for relative paths in the tree
-  std::string file;      ///< as given to load()
-  Problems problems;     ///< of all files at once
+  Node tree;            ///< a map, without `extends`
+  BaseFolders folders;  ///< for relative paths in the tree
+  std::string file;     ///< as given to load()
+  Problems problems;    ///< of all files at once
+  /// Parameters that went with a plugin which an override replaces.
+  std::vector<std::string> notes{};
   bool complete = true;  ///< false if a file could not be read: then a missing key is no problem
 };
 

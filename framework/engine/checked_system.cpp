@@ -193,6 +193,7 @@ CheckedSystem checkSystem(const SystemOptions& options, Scope scope) {
   addObservers(loaded, options.observers, problems);
   confine(loaded, scope, problems);
   CheckedSystem checked;
+  checked.notes = loaded.notes;
   checked.config = config::parse(loaded, problems);
   const host::Catalogue catalogue = openCatalogue(options.plugin_paths);
   for (const config::StageConfig& stage : checked.config.stages) {

@@ -62,6 +62,7 @@ host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
                                 const config::SystemConfig& config);
 
 struct CheckedSystem {
+  std::vector<std::string> notes;  ///< of the configuration
   config::SystemConfig config;
   config::StageValues values;
   std::vector<host::LoadedPlugin> plugins;  ///< parallel to config.stages; without descriptor

@@ -77,6 +77,7 @@ Outcome Run::execute(CheckedSystem system) {
 
 void Run::prepare(CheckedSystem system) {
   inputs_ = inputPaths(system).present;
+  const std::vector<std::string> notes = std::move(system.notes);
   checkOut(system.config.general.earlier());
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
@@ -87,6 +88,7 @@ void Run::prepare(CheckedSystem system) {
   continueEarlierRun();
   openDirectory();
   openRecord();
+  for (const std::string& note : notes) log_.write(LogLevel::Warning, "config", note);
 }
 
 /// Refuses a directory that cannot be taken, or contains data of the run (replacing an earlier run

@@ -54,6 +54,10 @@ TEST_CASE("A plugin set by --set replaces the stage, whatever the order of the o
   const test::CheckedSystem system = with({"odometry.port=81", "odometry.plugin=toy_observer"});
   CHECK(system.complaints() == "");  // toy_odometry's active_points are gone, the port stayed
   CHECK(std::get<std::int64_t>(system.of("odometry").at("port")) == 81);
+  CHECK(system.loaded.notes ==
+        std::vector<std::string>{"odometry: toy_observer replaces toy_odometry, whose parameters "
+                                 "are not used: active_points"});
+  CHECK(with({"odometry.plugin=toy_odometry"}).loaded.notes.empty());
   CHECK(with({"odometry.plugin=toy_odometry"}).loaded.tree.find("odometry")->children.size() == 2);
 }
 

@@ -15,10 +15,13 @@ using namespace tolman::test;
 TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   const Finished help = tolman::test::tolman({"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* part : {"run", "check", "plugins", "dataset", "eval", "export", "Exit codes:"}) {
+  for (const char* part :
+       {"run", "check", "plugins", "dataset", "eval", "export", "Examples:", "Exit codes:"}) {
     CHECK(contains(help.out, part));
   }
   const Finished plan = tolman::test::tolman({"plan", "--help"});
+  CHECK(contains(plan.out, "tolman plan runs/demo"));
+  CHECK_FALSE(contains(plan.out, "tolman run"));
   CHECK(contains(plan.out, "Exit codes:"));
   CHECK(tolman::test::tolman({}).exit_code == 2);
   CHECK(tolman::test::tolman({"fly"}).exit_code == 2);
