@@ -66,6 +66,11 @@ void FlatGraph::assign(const MapGraph& graph, std::int64_t at_frame) {
   link_rejected.clear();
   link_metres.clear();
   link_seconds.clear();
+  loop.clear();
+  loop_residual.clear();
+  const auto frameOf = [&](std::int64_t id) {
+    return graph.experiences.at(static_cast<std::size_t>(id)).frame;
+  };
   for (const Link& l : graph.links) {
     link.push_back(static_cast<std::int32_t>(l.from));
     link.push_back(static_cast<std::int32_t>(l.to));
@@ -73,6 +78,13 @@ void FlatGraph::assign(const MapGraph& graph, std::int64_t at_frame) {
     link_rejected.push_back(graph.isRejected(l) ? 1 : 0);
     link_metres.push_back(static_cast<float>(l.T_from_to.translation().norm()));
     link_seconds.push_back(static_cast<float>(l.duration));
+    if (l.kind != LinkKind::Loop) continue;
+    const std::size_t number = link_kind.size() - 1;
+    for (const std::int64_t value : {l.id, l.frame, frameOf(l.from), frameOf(l.to)}) {
+      loop.push_back(static_cast<std::int32_t>(value));
+    }
+    const bool measured = number < graph.residuals.size();
+    loop_residual.push_back(measured ? static_cast<float>(graph.residuals[number]) : -1);
   }
 }
 
@@ -83,7 +95,9 @@ std::string FlatGraph::encode() const {
                          {pack<float>("experience", {nodes, 4}, experience),
                           pack<std::int32_t>("link", {links, 2}, link),
                           pack<std::uint8_t>("link_kind", {links}, link_kind),
-                          pack<std::uint8_t>("link_rejected", {links}, link_rejected)});
+                          pack<std::uint8_t>("link_rejected", {links}, link_rejected),
+                          pack<std::int32_t>("loop", {loop_residual.size(), 4}, loop),
+                          pack<float>("loop_residual", {loop_residual.size()}, loop_residual)});
 }
 
 namespace {

@@ -83,6 +83,8 @@ struct FlatGraph {
   std::vector<std::int32_t> link;  ///< from, to of each link
   std::vector<std::uint8_t> link_kind;
   std::vector<std::uint8_t> link_rejected;  ///< 1: loop link that the map has rejected
+  std::vector<std::int32_t> loop;           ///< link, its frame, and those of its ends, of each
+  std::vector<float> loop_residual;         ///< of each, standard deviations; -1: not known
   std::vector<float> link_metres;           ///< length of each; not encoded
   std::vector<float> link_seconds;          ///< travel time of each, 0 for a loop link; not encoded
 

@@ -11,7 +11,7 @@ constexpr std::size_t kMaxEvents = 100;
 constexpr std::size_t kMaxMessages = 1000;
 constexpr std::size_t kMaxImages = 16;  // images of full size
 constexpr std::size_t kWakeAtImages = 8;
-constexpr std::size_t kMaxValues = 1U << 21U;     // of rows: 16 MiB, about 50,000 rows
+constexpr std::size_t kMaxValues = 1U << 21U;     // of rows: 16 MiB, about 30,000 rows
 constexpr std::size_t kWakeAtValues = 1U << 15U;  // of rows: 256 KiB
 
 }  // namespace

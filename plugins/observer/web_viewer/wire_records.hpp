@@ -3,11 +3,13 @@
 //
 // One row of numbers per frame, from which the page draws its graphs.
 //
-// The columns are the scalar fields of the records (Frame, Motion, PlaceObservation, Decision,
-// MapUpdate), as their fields() list them, and a few derived values: positions and times. They are
-// named "record.field", e.g. "motion.v". Booleans are 0 or 1; enumerations are their index.
+// The columns are the scalar fields of the records (Frame, Motion, PlaceObservation and
+// its best candidate, Decision and a hypothesis that it changed, MapUpdate), as their fields() list
+// them, and a few derived values: positions and times. They are named "record.field", e.g.
+// "motion.v". Booleans are 0 or 1; enumerations are their index.
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -38,6 +40,12 @@ struct RowColumn {
 /// All columns in the order of the values of a row.
 const std::vector<RowColumn>& rowColumns();
 
+/// Of a measured pose, against the truth.
+struct PoseError {
+  double metres = 0;
+  double sigmas = 0;  ///< standard deviations
+};
+
 /// Makes the rows of one run, in order of frames. Chains the odometry from the first frame on, and
 /// transforms the true poses into the same world frame: the camera at the first frame with truth.
 class RowMaker {
@@ -46,9 +54,14 @@ class RowMaker {
   void append(const Snapshot& snapshot, std::vector<double>& values);
 
  private:
+  std::optional<PoseError> judge(const PlaceObservation& place, const Eigen::Isometry3d& T_truth);
+
   Eigen::Isometry3d T_world_camera_ = Eigen::Isometry3d::Identity();
   std::optional<Eigen::Isometry3d> T_world_truth_;  ///< world frame of the truth to that of the run
   bool begun_ = false;
+  std::map<std::int64_t, Eigen::Isometry3d> true_templates_;  ///< true poses where they were made
+  Eigen::Matrix3d first_turn_ = Eigen::Matrix3d::Identity();
+  bool turned_ = false;  ///< the truth has orientations
 };
 
 // The JSON headers of the messages, as records. The server encodes them by their field lists, and

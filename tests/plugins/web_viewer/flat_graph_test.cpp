@@ -17,6 +17,7 @@ MapGraph randomGraph(RandomStream& random) {
   for (std::int64_t i = 0; i < count; ++i) {
     Experience experience;
     experience.id = i;
+    experience.frame = 3 * i;
     experience.T_world_experience =
         fromPlanar({random.uniform(-500, 500), random.uniform(-500, 500),
                     random.uniform(-std::numbers::pi, std::numbers::pi)});
@@ -29,8 +30,10 @@ MapGraph randomGraph(RandomStream& random) {
     link.from = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(count)));
     link.to = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(count)));
     link.kind = i % 3 == 0 ? LinkKind::Loop : LinkKind::Odometry;
+    link.frame = 5 * i;
     graph.links.push_back(link);
     if (i % 3 == 0 && random.below(2) == 0) graph.rejected.push_back(i);
+    graph.residuals.push_back(i % 3 == 0 ? 0.25 * static_cast<double>(i) : -1);
   }
   return graph;
 }
@@ -51,6 +54,14 @@ TEST_CASE("positions, headings, links and verdicts of any graph arrive") {
     const std::size_t links = graph.links.size();
     REQUIRE(got.arrays.at("experience").shape == std::vector<std::size_t>{nodes, 4});
     REQUIRE(got.arrays.at("link").shape == std::vector<std::size_t>{links, 2});
+    const auto loop = got.arrays.at("loop").as<std::int32_t>();
+    const auto residual = got.arrays.at("loop_residual").as<float>();
+    for (std::size_t i = 0; 3 * i < links; ++i) {
+      const Link& link = graph.links[3 * i];
+      const std::vector<std::int64_t> expected = {link.id, link.frame, 3 * link.from, 3 * link.to};
+      REQUIRE(std::equal(expected.begin(), expected.end(), loop.begin() + 4 * i));
+      REQUIRE(residual[i] == 0.75F * static_cast<float>(i));
+    }
     const auto experience = got.arrays.at("experience").as<float>();
     for (std::size_t i = 0; i < nodes; ++i) {
       const Eigen::Isometry3d& T = graph.experiences[i].T_world_experience;

@@ -55,6 +55,48 @@ TEST_CASE("a row has the values of the records") {
   CHECK(row["duration.map"] == Approx(5));
 }
 
+TEST_CASE("a row has the best candidate, the hypothesis of the view, and the anchor of the pose") {
+  RowMaker maker;
+  test::TestFrame frame(4);
+  frame.place.candidates = {{3, 0.25, 0.5, 7, 9, 12, ""}, {1, 0.75, 0.5, -1, -1, -1, ""}};
+  PlaceHypothesis faded, grown;
+  faded.fate = Fate::Faded;
+  grown.id = 5;
+  grown.fate = Fate::Grew;
+  grown.share = 0.75;
+  frame.decision.hypotheses = {faded, grown};
+  frame.map.T_experience_camera = fromPlanar({2, 0, 0});
+  frame.map.T_world_camera = fromPlanar({5, 1, 0.5}) * frame.map.T_experience_camera;
+  auto row = nextRow(maker, frame.snapshot());
+  CHECK(row["candidate.template_id"] == 3);
+  CHECK(row["candidate.limit"] == 0.5);
+  CHECK(row["candidate.needed"] == 12);
+  CHECK(row["hypothesis.id"] == 5);
+  CHECK(row["hypothesis.share"] == 0.75);
+  CHECK(row["anchor.z"] == Approx(5));
+  CHECK(row["anchor.x"] == Approx(-1));
+  CHECK(row["anchor.yaw"] == Approx(0.5));
+  row = nextRow(maker, test::TestFrame(5).snapshot());
+  CHECK(std::isnan(row["candidate.score"]));
+  CHECK(std::isnan(row["hypothesis.id"]));
+  CHECK(std::isnan(row["measured.error"]));
+}
+
+TEST_CASE("a measured pose is compared with the true one, where the truth turns") {
+  RowMaker maker;
+  test::TestFrame made(0), seen(1);
+  made.frame.T_world_camera_truth = fromPlanar({3, -4, 1});
+  const Eigen::Isometry3d T_true = fromPlanar({2, 1, 0.5});
+  seen.frame.T_world_camera_truth = made.frame.T_world_camera_truth * T_true;
+  seen.place.has_relative_pose = true;
+  seen.place.T_template_current = T_true * fromPlanar({0.6, 0, 0});
+  seen.place.covariance = 0.04 * Matrix6d::Identity();
+  (void)nextRow(maker, made.snapshot());
+  auto row = nextRow(maker, seen.snapshot());
+  CHECK(row["measured.error"] == Approx(0.6));
+  CHECK(row["measured.sigmas"] == Approx(3));
+}
+
 TEST_CASE("odometry is chained, and the truth transformed to its world") {
   RowMaker maker;
   test::TestFrame turn(1);

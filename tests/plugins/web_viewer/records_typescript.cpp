@@ -47,11 +47,9 @@ class Generator {
 
   void addColumns() {
     std::string names;
-    std::string units;
     std::string choices;
     for (const RowColumn& column : rowColumns()) {
       names += "  " + literal(column.name) + ",\n";
-      units += "  " + literal(column.name) + ": " + literal(column.unit) + ",\n";
       if (column.choices.empty()) continue;
       choices += "  " + literal(column.name) + ": [";
       for (const std::string_view choice : column.choices) choices += literal(choice) + ", ";
@@ -60,7 +58,6 @@ class Generator {
     text_ += "\n/** Columns of a history row, in the order of its values. */\n";
     text_ += "export const kColumns = [\n" + names + "] as const;\n";
     text_ += "export type ColumnName = (typeof kColumns)[number];\n";
-    text_ += "\nexport const kUnits: Readonly<Record<ColumnName, string>> = {\n" + units + "};\n";
     text_ += "\n/** Names of the values of columns that hold an enumeration. */\n";
     text_ += "export const kChoices = {\n" + choices + "} as const;\n";
   }

@@ -15,6 +15,7 @@ import { CameraPanel } from './panels/camera_panel';
 import { CellsPanel } from './panels/cells_panel';
 import { CountersPanel } from './panels/counters_panel';
 import { EventsPanel } from './panels/events_panel';
+import { LoopsPanel } from './panels/loops_panel';
 import { MapPanel } from './panels/map_panel';
 import { MatchPanel } from './panels/match_panel';
 import { StatusPanel } from './panels/status_panel';
@@ -41,10 +42,12 @@ class App {
 
   constructor() {
     const seekFrame = (frame: number) => this.model.seekFrame(frame);
+    const match = new MatchPanel();
+    const seekLoop = (frame: number) => seekFrame((match.candidateAt = frame));
     this.panels = [
-      new StatusPanel(this.model), new CountersPanel(), new CameraPanel(), new MatchPanel(),
+      new StatusPanel(this.model), new CountersPanel(), new CameraPanel(), match,
       this.map, this.cells, new TemplatesPanel(this.theme.colours, (seconds) => this.seekTime(seconds)),
-      new TimingPanel(), new EventsPanel(seekFrame),
+      new TimingPanel(), new EventsPanel(seekFrame), new LoopsPanel(seekLoop),
       new TransportPanel(this.model, () => this.invalidate()),
     ];
     this.bindKeys();

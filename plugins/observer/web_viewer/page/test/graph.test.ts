@@ -10,6 +10,8 @@ const at = (frame: number, version: number): GraphMessage => ({
   link: Int32Array.of(0, 1, 1, 2, 2, 0, 2, 1),
   linkKind: Uint8Array.of(0, 0, 1, 1),
   linkRejected: Uint8Array.of(0, 0, 0, 1),
+  loop: Int32Array.of(2, 20, 20, 0, 3, 21, 20, 10),
+  loopResidual: Float32Array.of(1.5, -1),
 });
 
 describe('the graph', () => {
@@ -18,6 +20,7 @@ describe('the graph', () => {
     graph.replace(at(20, 1));
     expect([graph.links, graph.loops, graph.rejected]).toEqual([4, 1, 1]);
     expect([graph.isRejected(2), graph.isRejected(3)]).toEqual([false, true]);
+    expect([...graph.loopLinks()]).toEqual([[2, 20, 20, 0, 1.5], [3, 21, 20, 10, -1]]);
   });
 
   it('ignores an older graph, and takes the final one, whose frame is -1', () => {

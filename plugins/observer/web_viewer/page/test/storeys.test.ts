@@ -9,6 +9,7 @@ function graphOf(places: readonly (readonly [number, number, number])[]): Graph 
     header: { type: 'graph', version: 1, frame: 0 },
     experience: Float32Array.from(places.flatMap(([x, y, z]) => [x, y, z, 0])),
     link: new Int32Array(), linkKind: new Uint8Array(), linkRejected: new Uint8Array(),
+    loop: new Int32Array(), loopResidual: new Float32Array(),
   });
   return graph;
 }

@@ -154,7 +154,7 @@ export class FakeRun {
     const known = places.find(this.path[f], f - 300);
     if (known) {
       if (place.recognition !== 2 || state.closed < 8) return 0;
-      this.links.push({ from: state.current, to: known.id, loop: true, rejected: state.loops % 4 === 3 });
+      this.links.push({ from: state.current, to: known.id, loop: true, frame: f, rejected: state.loops % 4 === 3 });
       [state.current, state.closed, state.moved] = [known.id, 0, 0];
       ++state.loops;
       ++state.version;
@@ -217,6 +217,8 @@ export class FakeRun {
       experience.set([p.x, p.y, p.z, this.path[e.frame].heading], 4 * i);
     });
     const links = this.links.slice(0, m);
+    const numbers = [...links.keys()].filter((i) => links[i].loop);
+    const ends = numbers.map((i) => [i, links[i].frame, ...[links[i].from, links[i].to].map((e) => this.experiences[e].frame)]);
     return {
       header: { type: 'graph', version: this.value(frame, 'map_update.version'), frame },
       arrays: {
@@ -224,6 +226,8 @@ export class FakeRun {
         link: { shape: [m, 2], values: Int32Array.from(links.flatMap((l) => [l.from, l.to])) },
         link_kind: Uint8Array.from(links, (l) => (l.loop ? 1 : 0)),
         link_rejected: Uint8Array.from(links, (l) => (l.rejected ? 1 : 0)),
+        loop: { shape: [ends.length, 4], values: Int32Array.from(ends.flat()) },
+        loop_residual: Float32Array.from(ends, (_, i) => i / 4),
       },
     };
   }

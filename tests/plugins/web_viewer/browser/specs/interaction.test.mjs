@@ -2,7 +2,7 @@
 // Pan, zoom, turn, scrub, keys, small screens.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { openPage, until, untilCaughtUp, untilSettled } from '../browser.mjs';
+import { openPage, until, untilCaughtUp, untilSettled, untilText } from '../browser.mjs';
 import { target } from '../target.mjs';
 
 const map = (page) => page.evaluate(() => window.tolman.map);
@@ -44,6 +44,19 @@ describe('interaction with the page', () => {
     await page.locator('#map').hover();
     await page.mouse.wheel(0, -600);
     await until(page, (z) => window.tolman.map.zoom > 1.05 * z, zoom);
+  });
+
+  it('choose a loop: its frame is shown, beside the matched view', async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilSettled(page);
+    const { loops, rejected } = await page.evaluate(() => window.tolman.graph);
+    await untilText(page, 'loops-verdict', new RegExp(`^loop links: ${loops}, .* rejected: ${rejected} `));
+    const row = page.locator('#loops li').first();
+    const frame = Number(await row.getAttribute('data-frame'));
+    await row.click();
+    await until(page, (f) => window.tolman.imageFrame === f, frame);
+    await until(page, () => document.getElementById('template').naturalWidth > 0);
+    assert.deepEqual(page.complaints, []);
   });
 
   it('turn the map in space and keep its rows', async () => {

@@ -30,6 +30,11 @@ export function metres(value: number): string {
   return value >= 1000 ? `${Number(value.toPrecision(6)) / 1000} km` : `${Number(value.toPrecision(3))} m`;
 }
 
+/** A length of a run without scale. */
+export function units(value: number): string {
+  return `${brief(value)} units`;
+}
+
 /** A time span as in the program's texts: "3.7 s", from a minute on "1:04 min", from an hour on "1:02 h". */
 export function duration(seconds: number): string {
   if (!Number.isFinite(seconds)) return kUnknown;

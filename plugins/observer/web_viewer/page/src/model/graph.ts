@@ -49,6 +49,17 @@ export class Graph {
     return [values[at] ?? NaN, values[at + 1] ?? NaN, values[at + 2] ?? NaN];
   }
 
+  heading(experience: number): number {
+    return this.message?.experience[4 * experience + 3] ?? NaN;
+  }
+
+  /** Of each loop link its number, its frame, the frames of its ends, and its residual (-1: not known). */
+  *loopLinks(): Iterable<readonly [number, number, number, number, number]> {
+    const { loop = new Int32Array(), loopResidual = kNothing } = this.message ?? {};
+    const at = (i: number) => loop[i] as number;
+    for (let i = 0; i < loop.length; i += 4) yield [at(i), at(i + 1), at(i + 2), at(i + 3), loopResidual[i / 4] ?? -1];
+  }
+
   ends(link: number): readonly [number, number] {
     const ends = this.message?.link;
     return [ends?.[2 * link] ?? -1, ends?.[2 * link + 1] ?? -1];

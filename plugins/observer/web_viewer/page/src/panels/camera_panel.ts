@@ -2,7 +2,7 @@
 // The left image with the points of the odometry, coloured by depth.
 import { css, nearness, palette, viridis } from '../look/colour_map';
 import { byId, byTestId, make, setText, Surface } from '../look/dom';
-import { metres } from '../look/format';
+import { brief, metres, units } from '../look/format';
 import { GrowingDepthRange } from '../model/depth_range';
 import type { Panel, DecodedImage, PageState } from '../model/page_state';
 import type { FrameMessage } from '../wire/messages';
@@ -29,7 +29,7 @@ export class CameraPanel implements Panel {
     this.empty.hidden = state.picture !== null || withPoints !== null;
     if (withPoints?.points) {
       this.depths.include(withPoints.points);
-      this.drawLegend();
+      this.drawLegend(state.rows.value(state.row, 'motion.scale_known') !== 0);
     }
     this.describe(withPoints);
     this.draw(state);
@@ -75,18 +75,19 @@ export class CameraPanel implements Panel {
     }
   }
 
-  private drawLegend(): void {
+  private drawLegend(scaleKnown: boolean): void {
     const range = this.depths.range;
     if (range === null) return;
-    const key = `${range.near} ${range.far}`;
+    const key = `${range.near} ${range.far} ${scaleKnown}`;
     if (this.legend.dataset['range'] === key) return;
     this.legend.dataset['range'] = key;
     const stops = [1, 0.75, 0.5, 0.25, 0].map((near) => css(viridis(0.12 + 0.88 * near)));
     this.legend.style.background = `linear-gradient(to right, ${stops.join(', ')})`;
     this.legend.replaceChildren(
-      ...thinned(this.depths.ticks()).map((depth) => {
+      ...thinned(this.depths.ticks()).map((depth, i) => {
         const left = `left: ${(100 * (1 - nearness(depth, range))).toFixed(2)}%`;
-        return make('span', { style: left }, metres(depth));
+        const text = scaleKnown ? metres : i === 0 ? units : brief;
+        return make('span', { style: left }, text(depth));
       }),
     );
   }

@@ -3,12 +3,12 @@
 import { byId, make, setAttribute, setText } from '../look/dom';
 import { choiceName, degrees, fixed, integer } from '../look/format';
 import type { Panel, PageState } from '../model/page_state';
-import { kChoices, kUnits, type ColumnName } from '../wire/records';
+import { kChoices, type ColumnName } from '../wire/records';
 
 interface Counter {
   readonly name: string;
   readonly label: string;
-  readonly unit?: string;
+  unit?(state: PageState): string;
   text(state: PageState): string;
   tone?(state: PageState): string;
 }
@@ -32,7 +32,7 @@ const kCounters: readonly Counter[] = [
     text: (v) => choiceName('motion.state', value(v, 'motion.state')),
     tone: (v) => ['', 'good', 'warn'][value(v, 'motion.state')] ?? '',
   },
-  { name: 'speed', label: 'speed', unit: kUnits['motion.v'], text: (v) => fixed(value(v, 'motion.v'), 2) },
+  { name: 'speed', label: 'speed', unit: (v) => (value(v, 'motion.scale_known') === 0 ? 'units/s' : 'm/s'), text: (v) => fixed(value(v, 'motion.v'), 2) },
   { name: 'tracked', label: 'tracked', text: (v) => integer(value(v, 'motion.tracked')) },
   { name: 'heading', label: 'heading', text: (v) => degrees(value(v, 'decision.heading')) },
   { name: 'templates', label: 'templates', text: (v) => integer(v.rows.templates(v.row)) },
@@ -54,7 +54,7 @@ export class CountersPanel implements Panel {
       const number = make('span', { 'data-testid': counter.name });
       const line = make('dd');
       line.append(number);
-      if (counter.unit) line.append(make('small', {}, counter.unit));
+      if (counter.unit) line.append(make('small'));
       cell.append(make('dt', {}, counter.label), line);
       root.append(cell);
       this.values.set(counter.name, number);
@@ -65,6 +65,7 @@ export class CountersPanel implements Panel {
     for (const counter of kCounters) {
       const element = this.values.get(counter.name) as HTMLElement;
       setText(element, counter.text(state));
+      if (counter.unit) setText(element.nextElementSibling as Element, counter.unit(state));
       if (counter.tone) setAttribute(element.parentElement as Element, 'data-tone', counter.tone(state));
     }
     return false;

@@ -120,7 +120,7 @@ export class MapContent {
     for (const name of kLinkLayers) {
       this.draw(name, this[name], countBelow(this.linksOf[name], links), cell);
     }
-    this.placeRobot(rows, row);
+    this.placeRobot(state);
   }
 
   private draw(name: LayerName, layer: SegmentLayer, count: number, cell: number): void {
@@ -215,14 +215,24 @@ export class MapContent {
     this.fade.reach.value = hasStoreys(graph, this.scale) ? kStorey * 0.6 : 0;
   }
 
-  private placeRobot(rows: RowStore, row: number): void {
-    const [x, y, z] = (['map.x', 'map.y', 'map.z'] as const).map((c) => rows.value(row, c)) as [number, number, number];
+  /** Where the robot was seen from its experience, which the map may have moved since. */
+  private placeRobot({ rows, row, graph }: PageState): void {
+    const at = (...columns: ColumnName[]) => columns.map((c) => rows.value(row, c)) as [number, number, number];
+    let [x, y, z] = at('map.x', 'map.y', 'map.z');
+    const experience = rows.value(row, 'map_update.experience');
+    const [ax, ay, az] = at('anchor.x', 'anchor.y', 'anchor.z');
+    const [ex, ey, ez] = graph.position(experience);
+    let turn = graph.heading(experience) - rows.value(row, 'anchor.yaw');
+    if (Number.isFinite(turn + ex + ax)) {
+      const [dx, dz, c, s] = [x - ax, z - az, Math.cos(turn), Math.sin(turn)];
+      [x, y, z] = [ex + c * dx - s * dz, ey + y - ay, ez + s * dx + c * dz];
+    } else turn = 0;
     this.robot.visible = Number.isFinite(x);
     if (!this.robot.visible) return;
     this.robot.position.set(...toScene(this.scale * x, this.scale * y, this.scale * z));
     this.fade.level.value = this.robot.position.y;
     const heading = rows.value(row, 'decision.heading');
-    this.robot.rotation.y = Number.isFinite(heading) ? heading : 0;
+    this.robot.rotation.y = turn + (Number.isFinite(heading) ? heading : 0);
   }
 
   /** An arrow in the ground plane that points forward (-z of the scene), one unit long. */

@@ -2,7 +2,7 @@
 // The experience map and its tools: layers, 2-D and 3-D, fit, centre on the robot, scale.
 import { Vector2 } from 'three';
 import { byId, make, setAttribute, setText } from '../look/dom';
-import { brief, metres } from '../look/format';
+import { brief, metres, units } from '../look/format';
 import { webGl } from '../look/web_gl';
 import { roundDown } from '../model/sampling';
 import { cellFor } from '../model/thinning';
@@ -172,7 +172,7 @@ export class MapPanel implements Panel {
   private showScale(zoom: number): void {
     const length = roundDown(110 / zoom);
     setAttribute(this.bar, 'style', `width: ${(length * zoom).toFixed(1)}px`);
-    const text = this.content.hasMetres ? metres : (units: number) => `${brief(units)} units`;
+    const text = this.content.hasMetres ? metres : units;
     setText(this.texts.scale, text(length));
     const grid = `grid ${text(this.stage?.gridStep ?? NaN)}`;
     setText(this.texts.axes, this.dimension === '2d' ? `z ↑ x → · ${grid}` : grid);

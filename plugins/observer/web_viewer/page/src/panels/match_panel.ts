@@ -5,6 +5,7 @@ import { brief, integer, choiceName } from '../look/format';
 import type { RowStore } from '../model/row_store';
 import type { Panel, DecodedImage, PageState } from '../model/page_state';
 import { templateAddress } from '../wire/api';
+import { kChoices } from '../wire/records';
 
 const kLookBack = 40; // rows; place recognition may skip frames
 
@@ -28,6 +29,8 @@ export class MatchPanel implements Panel {
     score: byTestId('score'),
   };
   private picture: DecodedImage | null = null;
+  /** At this frame, if it is not familiar, the template is that of its best candidate. */
+  candidateAt = -1;
   // The old image stays until the new one has arrived; only the newest template is fetched.
   private readonly coming = new Image();
   private fetching = -1;
@@ -41,8 +44,9 @@ export class MatchPanel implements Panel {
   update(state: PageState): boolean {
     this.drawView(state);
     const row = judgedRow(state.rows, state.row);
-    const template = state.rows.value(row, 'place.template_id');
     const kind = row < 0 ? 0 : state.rows.value(row, 'place.recognition');
+    const missed = state.frame === this.candidateAt && kChoices['place.recognition'][kind] !== 'familiar';
+    const template = state.rows.value(missed ? state.row : row, missed ? 'candidate.template_id' : 'place.template_id');
     setText(this.texts.frame, integer(state.picture?.frame ?? NaN));
     setText(this.texts.template, integer(template >= 0 ? template : NaN));
     setText(this.texts.score, brief(state.rows.value(row, 'place.score')));

@@ -31,6 +31,8 @@ export interface GraphMessage {
   readonly link: Int32Array; // from, to of each
   readonly linkKind: Uint8Array; // 0 odometry, 1 loop
   readonly linkRejected: Uint8Array; // 1: loop link that the map has rejected
+  readonly loop: Int32Array; // of each loop link: its number, its frame, the frames of its ends
+  readonly loopResidual: Float32Array; // standard deviations; -1: not known
 }
 
 /** The header of a message of the type that its "type" names. */
@@ -80,11 +82,15 @@ export function readGraph(message: Container): GraphMessage {
   const link = values('link');
   const linkKind = values('link_kind');
   const linkRejected = values('link_rejected');
+  const loop = values('loop');
+  const loopResidual = values('loop_residual');
   return {
     header: headerOf<GraphHeader>(message),
     experience: experience instanceof Float32Array ? experience : new Float32Array(),
     link: link instanceof Int32Array ? link : new Int32Array(),
     linkKind: linkKind instanceof Uint8Array ? linkKind : new Uint8Array(),
     linkRejected: linkRejected instanceof Uint8Array ? linkRejected : new Uint8Array(),
+    loop: loop instanceof Int32Array ? loop : new Int32Array(),
+    loopResidual: loopResidual instanceof Float32Array ? loopResidual : new Float32Array(),
   };
 }
