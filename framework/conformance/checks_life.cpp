@@ -2,6 +2,7 @@
 // Calls in every legal order, valid answers in a plain run, repeated runs, saved state, and side
 // effects on the process.
 #include <oneapi/tbb/global_control.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -237,6 +238,12 @@ std::map<std::string, std::string> processState() {
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
     state["environment variable " + text.substr(0, text.find('='))] = text;
+  }
+  for (int number = 1; number < NSIG; ++number) {
+    struct sigaction action {};
+    if (::sigaction(number, nullptr, &action) != 0) continue;
+    state["handler of signal " + std::to_string(number)] =
+        std::to_string(reinterpret_cast<std::uintptr_t>(action.sa_handler));
   }
   return state;
 }

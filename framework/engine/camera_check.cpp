@@ -150,18 +150,22 @@ bool isRepeated(const Image& a, const Image& b) {
 }  // namespace
 
 /// Whether the right image belongs to the left one of the frame before. Where the camera turns to
-/// one side, a late image looks as if both were exchanged and fits the left one before it; to the
-/// other side both fit, and what was seen in a turn to the first side decides.
+/// one side, a late image looks as if both were exchanged and fits the left one before it. To the
+/// other side both fit: then what was seen in a turn to the first side decides, unless the rows of
+/// the pair itself agree better.
 bool FrameCheck::isLate(const StereoMeasure& measure, const cv::Mat& right) {
   const StereoFault now = faultOf(measure);
   if (left_.empty() || (now != StereoFault::Exchanged && !late_)) return false;
   const StereoMeasure before = measureStereo(halfOf(left_), right);
   if (before.matched < kCertain) return false;
   const StereoFault then = faultOf(before);
-  if (then == StereoFault::Exchanged && now == StereoFault::None) late_ = false;
-  if (then == StereoFault::None && now == StereoFault::Exchanged) late_ = true;
+  if (now == StereoFault::Exchanged) {
+    late_ = then == StereoFault::None;
+    return late_;
+  }
+  if (then == StereoFault::Exchanged) late_ = false;
   const bool turns = std::fabs(before.to_left - measure.to_left) > kTurns;
-  return then == StereoFault::None && (now == StereoFault::Exchanged || (late_ && turns));
+  return late_ && turns && then == StereoFault::None && before.spread < measure.spread;
 }
 
 /// The present fault of the pair. A fault that is measured with few matches counts only if two

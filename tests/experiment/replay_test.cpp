@@ -179,7 +179,7 @@ TEST_CASE("a run that is made again gives the same bytes, or the files that diff
   CHECK(json["data"][0]["files"] == 3);
   CHECK(json["data"][0]["sha256"].get<std::string>().size() == 64);
   CHECK(json["libraries"].contains("sqlite"));
-  CHECK(fs::is_regular_file(json["libraries"]["tbb"].get<std::string>()));
+  CHECK(json["libraries"].contains("opencv"));
 
   const fs::path digests = data.folder.path() / "run/results.sha256";
   const std::string listed = readText(digests);
