@@ -110,6 +110,8 @@ Recorder::Recorder(const std::filesystem::path& file, Database database)
       meta_(database_,
             "INSERT INTO \"run\" (\"key\", \"value\") VALUES (?, ?)"
             " ON CONFLICT (\"key\") DO UPDATE SET \"value\" = excluded.\"value\""),
+      remove_arrays_(database_,
+                     "DELETE FROM \"array\" WHERE \"frame\" = ? AND \"source\" = 'cells'"),
       exact_(database_.tableExists(ExactPoses::kRecord)),
       committer_([this](const std::stop_token& stop) { commitRegularly(stop); }) {}
 
@@ -232,9 +234,26 @@ void Recorder::writeMotion(const Motion& motion) {
   store_.insert(without_points);
 }
 
+/// When the step has doubled at frame `begin`, the frames before it have twice as many arrays as
+/// they should. Each further frame removes those of one of them, so that none takes long.
 void Recorder::writeArrays(std::int64_t frame, const std::vector<NamedArray>& arrays) {
-  const std::int64_t step = arrays_every_ == kAutomatic ? arrayStep(frame) : arrays_every_;
-  if (step > 0 && frame % step == 0) store_.insertArrays(frame, "cells", arrays);
+  const bool automatic = arrays_every_ == kAutomatic;
+  const std::int64_t step = automatic ? arrayStep(frame) : arrays_every_;
+  if (step == 0 || frame % step != 0) return;
+  store_.insertArrays(frame, "cells", arrays);
+  if (!automatic || step == 1) return;
+  const std::int64_t begin = kMostArrayFrames * step / 2;
+  remove_arrays_.bindNext(frame - begin + step / 2);
+  remove_arrays_.run();
+}
+
+/// Those that writeArrays() has not yet removed.
+void Recorder::removeArraysBetween() {
+  if (arrays_every_ != kAutomatic) return;
+  const std::int64_t step = arrayStep(largest("frame", "frame"));
+  if (step == 1) return;
+  database_.exec("DELETE FROM \"array\" WHERE \"source\" = 'cells' AND \"frame\" % " +
+                 std::to_string(step) + " <> 0");
 }
 
 void Recorder::writeGraph(const MapGraph& graph) {
@@ -351,7 +370,10 @@ Status Recorder::close() {
   closed_ = true;
   commitNow();
   if (failure_.isOk()) {
-    failure_ = guarded(name_, [&] { mergeLog(); });
+    failure_ = guarded(name_, [&] {
+      removeArraysBetween();
+      mergeLog();
+    });
   }
   return failure_;
 }

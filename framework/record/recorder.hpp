@@ -22,8 +22,7 @@ namespace tolman::record {
 inline constexpr int kAutomatic = -1;
 inline constexpr std::int64_t kMostArrayFrames = 5'000;
 
-/// 1 for the first kMostArrayFrames frames, then 2, and twice as much whenever their number
-/// doubles.
+/// The least power of two N so that every N-th frame up to `frame` is at most kMostArrayFrames.
 constexpr std::int64_t arrayStep(std::int64_t frame) {
   std::int64_t step = 1;
   while (frame >= kMostArrayFrames * step) step *= 2;
@@ -49,7 +48,8 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   /// Arrays of the cells are recorded every N frames; 0: never. kAutomatic: at every
-  /// arrayStep()-th frame.
+  /// arrayStep()-th frame; those of earlier frames between are removed as the run grows, so the
+  /// record of a run that ended has the same frames as if its length had been known.
   void recordArrays(int every) { arrays_every_ = every; }
   /// From now on also records all bits of poses, so that the run can be replayed. `sensors`: how
   /// many of the descriptions of arrays are those of the source.
@@ -90,6 +90,7 @@ class Recorder {
   void writeGraph(const MapGraph& graph);
   void writeMotion(const Motion& motion);
   void writeArrays(std::int64_t frame, const std::vector<NamedArray>& arrays);
+  void removeArraysBetween();
   void removeFrom(std::int64_t next_frame);
   void commitNow();
   void setMeta(const std::string& key, const std::string& value);
@@ -101,7 +102,7 @@ class Recorder {
   std::string name_;
   Database database_;
   StoreWriter store_;
-  Statement meta_;
+  Statement meta_, remove_arrays_;
   // Hashes of the rows in the tables, so that only changed rows are written.
   std::vector<std::uint64_t> written_experiences_;
   std::vector<std::uint64_t> written_links_;
