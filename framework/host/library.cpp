@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <boost/dll/shared_library.hpp>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <mutex>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -127,59 +129,94 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The libraries that are open in this process, but for those of the system, which packages own.
-std::set<std::string> openLibraries() {
-  std::set<std::string> files;
-  const auto add = [](dl_phdr_info* library, std::size_t, void* found) {
-    const std::string_view file = library->dlpi_name;
-    constexpr std::array kOfSystem = {"/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/"};
-    const bool is_own = file.starts_with('/') && std::ranges::none_of(kOfSystem, [&](auto* folder) {
-                          return file.starts_with(folder);
-                        });
-    std::error_code ignored;
-    if (is_own) static_cast<std::set<std::string>*>(found)->insert(fs::canonical(file, ignored));
-    return 0;
+bool isOfSystem(const fs::path& file) {
+  constexpr std::array kFolders = {"/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/", "/usr/libexec/"};
+  return std::ranges::any_of(kFolders,
+                             [&](const char* folder) { return file.string().starts_with(folder); });
+}
+
+/// What an open library is linked with.
+struct Links {
+  std::vector<std::string> needed;  ///< names
+  std::vector<fs::path> folders;    ///< where the linker looks for them before those of the system
+};
+
+Links linksOf(const link_map& library) {
+  const char* strings = nullptr;
+  std::map<ElfW(Sxword), std::vector<std::size_t>> offsets;
+  for (const ElfW(Dyn)* entry = library.l_ld; entry->d_tag != DT_NULL; ++entry) {
+    offsets[entry->d_tag].push_back(entry->d_un.d_val);
+    if (entry->d_tag != DT_STRTAB) continue;
+    // The loader of glibc replaces offsets by addresses where it may write.
+    const ElfW(Addr) value = entry->d_un.d_ptr;
+    strings = reinterpret_cast<const char*>(  // NOLINT: what the ELF format says
+        value < library.l_addr ? library.l_addr + value : value);
+  }
+  Links links;
+  for (const std::size_t offset : offsets[DT_NEEDED]) links.needed.emplace_back(strings + offset);
+  const auto addFolders = [&](const std::string& paths) {
+    std::istringstream stream(paths);
+    for (std::string folder; std::getline(stream, folder, ':');) {
+      for (const std::string_view origin : {"${ORIGIN}", "$ORIGIN"}) {
+        const std::size_t at = folder.find(origin);
+        if (at == std::string::npos) continue;
+        folder.replace(at, origin.size(), fs::path(library.l_name).parent_path().string());
+      }
+      if (!folder.empty()) links.folders.emplace_back(folder);
+    }
   };
-  ::dl_iterate_phdr(add, &files);
-  return files;
+  for (const std::size_t offset : offsets[DT_RPATH]) addFolders(strings + offset);
+  if (const char* all = std::getenv("LD_LIBRARY_PATH")) addFolders(all);
+  for (const std::size_t offset : offsets[DT_RUNPATH]) addFolders(strings + offset);
+  return links;
 }
 
 bool areSame(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   if (fs::equivalent(a, b, ignored)) return true;
-  std::ifstream first(a, std::ios::binary);
-  std::ifstream second(b, std::ios::binary);
+  std::array<std::ifstream, 2> files = {std::ifstream(a, std::ios::binary),
+                                        std::ifstream(b, std::ios::binary)};
   using Bytes = std::istreambuf_iterator<char>;
-  return std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
+  return fs::file_size(a, ignored) == fs::file_size(b, ignored) &&
+         std::equal(Bytes(files[0]), Bytes(), Bytes(files[1]), Bytes());
 }
 
-/// Refuses a plugin that brings along a library of whose name another one is open: the linker has
-/// taken that.
-void refuseStranger(const Manifest& manifest) {
-  for (const fs::path file : openLibraries()) {
-    const fs::path own = manifest.file.parent_path() / file.filename();
-    std::error_code ignored;
-    if (!own.filename().string().starts_with("lib") || !fs::exists(own, ignored)) continue;
-    if (areSame(own, file)) continue;
-    throw Refusal{"plugin/library-conflict",
-                  subject(manifest) + " is linked with " + own.string() + ", but " + file.string() +
-                      " of that name is open already, which the linker takes",
-                  "give one of the two libraries another name, or set isolation: process for one "
-                  "of the stages"};
+/// The libraries that an open one is linked with, directly or by another.
+struct Closure {
+  std::set<std::string> files;  ///< those that are not of the system
+  std::string stranger;         ///< one of another file of that name, in words; usually empty
+};
+
+Closure closureOf(const fs::path& library) {
+  void* handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_NOLOAD);
+  link_map* first = nullptr;
+  if (handle == nullptr || ::dlinfo(handle, RTLD_DI_LINKMAP, &first) != 0) return {};
+  std::map<std::string, const link_map*> open;  // by file name
+  const link_map* any = first;
+  while (any->l_prev != nullptr) any = any->l_prev;
+  for (; any != nullptr; any = any->l_next) {
+    if (any->l_ld != nullptr) open.emplace(fs::path(any->l_name).filename().string(), any);
   }
-}
-
-/// Those that came with the first opening of a plugin, which `before` has not.
-std::vector<std::string> broughtBy(const fs::path& plugin, const std::set<std::string>& before) {
-  static std::mutex mutex;
-  static std::map<fs::path, std::vector<std::string>> brought;
-  const std::lock_guard lock(mutex);
-  const auto [entry, is_first] = brought.try_emplace(plugin);
-  if (!is_first) return entry->second;
-  std::error_code ignored;
-  std::ranges::set_difference(openLibraries(), before, std::back_inserter(entry->second));
-  std::erase(entry->second, fs::canonical(plugin, ignored).string());
-  return entry->second;
+  Closure closure;
+  for (std::vector<const link_map*> unread = {first}; !unread.empty();) {
+    const Links links = linksOf(*unread.back());
+    unread.pop_back();
+    for (const std::string& name : links.needed) {
+      const auto found = open.find(fs::path(name).filename().string());
+      if (found == open.end()) continue;
+      std::error_code ignored;
+      const fs::path file = fs::weakly_canonical(found->second->l_name, ignored);
+      const auto own = std::ranges::find_if(links.folders, [&](const fs::path& folder) {
+        return fs::exists(folder / name, ignored);
+      });
+      if (own != links.folders.end() && !areSame(*own / name, file)) {
+        closure.stranger = (*own / name).string() + ", but " + file.string() + " of that name";
+      }
+      if (isOfSystem(file) || !closure.files.insert(file.string()).second) continue;
+      unread.push_back(found->second);
+    }
+  }
+  return closure;
 }
 
 using Entry = const PluginDescriptor*();
@@ -287,12 +324,18 @@ LoadedPlugin loadPlugin(const Manifest& manifest, const HostIdentity& host) {
   LoadedPlugin plugin;
   {
     const KeptState kept(true, &changed);  // constructors of the library run now
-    const std::set<std::string> before = openLibraries();
     const auto library = openPinned(manifest);
-    refuseStranger(manifest);
+    const Closure closure = closureOf(manifest.file);
+    if (!closure.stranger.empty()) {
+      throw Refusal{"plugin/library-conflict",
+                    subject(manifest) + " is linked with " + closure.stranger +
+                        " is open already, which the linker takes instead",
+                    "give one of the two libraries another name, or set isolation: process for "
+                    "one of the stages"};
+    }
     if (manifest.programs.empty()) {
       plugin = describe(manifest, *callEntry(library, manifest));
-      plugin.manifest.program_files = broughtBy(manifest.file, before);
+      plugin.manifest.program_files.assign(closure.files.begin(), closure.files.end());
     } else {
       plugin = openProgram(library, manifest);
     }

@@ -44,7 +44,8 @@ struct LoadedPlugin {
 /// Checks the gate, opens the library (all symbols resolved, none exported to others), calls the
 /// entry function and reads the schema. The library stays loaded, because inline statics,
 /// thread-local variables and exceptions make unloading C++ code unsafe. Refusals: those of
-/// checkGate(), checkSchema(), plugin/load-failed, plugin/library-conflict, plugin/entry-missing,
+/// checkGate(), checkSchema(), plugin/load-failed, plugin/library-conflict (one that it is linked
+/// with would be another of that name, which is open already), plugin/entry-missing,
 /// plugin/entry-failed, plugin/stale-manifest. The manifest of a program gets its role, version and
 /// summary; plugin/program if it cannot be opened.
 LoadedPlugin loadPlugin(const Manifest& manifest, const HostIdentity& host);
