@@ -15,7 +15,6 @@ namespace tolman::bag_writer {
 namespace {
 
 using ros_map::FieldWriter;
-using ros_map::RosTransform;
 
 constexpr const char* kOptical = "camera_optical";
 
@@ -60,7 +59,7 @@ Status BagWriter::configure(const Context& context) {
 
 Status BagWriter::reset() {
   bag_.reset();
-  T_odom_camera_.setIdentity();
+  frames_ = {"map", "odom", "camera"};
   measured_ = {};
   return Status::ok();
 }
@@ -148,16 +147,10 @@ void BagWriter::writePoses(const Snapshot& snapshot) {
     writeOdometry(poseOf(measured_), {});
     return;
   }
-  T_odom_camera_ = normalised(T_odom_camera_ * snapshot.motion->T_previous_current);
-  const ros_map::RosPose in_odom = ros_map::robotPose(T_odom_camera_);
-  writeOdometry(in_odom, {snapshot.motion->v, 0, 0, 0, 0, snapshot.motion->omega});
-  const Eigen::Isometry3d T_map_odom = snapshot.map->T_world_camera * T_odom_camera_.inverse();
+  frames_.add(*snapshot.motion);
+  writeOdometry(frames_.inOdom().pose, {snapshot.motion->v, 0, 0, 0, 0, snapshot.motion->omega});
   FieldWriter transforms(bag_->format());
-  ros_map::writeTransforms(
-      transforms, stamp_ns_,
-      {{"map", "odom", ros_map::robotPose(T_map_odom)},
-       {"odom", "camera", in_odom},
-       {"camera", kOptical, ros_map::cameraPose(Eigen::Isometry3d::Identity())}});
+  ros_map::writeTransforms(transforms, stamp_ns_, frames_.all(snapshot.map->T_world_camera));
   write("/tf", "tf2_msgs/msg/TFMessage", transforms);
 }
 

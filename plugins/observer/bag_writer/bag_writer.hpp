@@ -51,7 +51,7 @@ class BagWriter final : public Observer {
   CameraRig rig_;
   std::string depth_;  ///< name of the sensor; empty if there is none
   std::int64_t stamp_ns_ = 0;
-  Eigen::Isometry3d T_odom_camera_ = Eigen::Isometry3d::Identity();
+  ros_map::RunFrames frames_{"map", "odom", "camera"};
   PlanarPose measured_;
 };
 

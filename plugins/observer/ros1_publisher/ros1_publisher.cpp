@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "map_messages.hpp"
 #include "map_shapes.hpp"
 
 namespace tolman::ros1_publisher {
@@ -14,12 +15,7 @@ Status Ros1Publisher::configure(const Context& context) {
   log_ = &context.log;
   clock_ = &context.clock;
   const std::string& prefix = parameters_.prefix;
-  if (!prefix.starts_with('/') || prefix.ends_with('/') ||
-      prefix.find_first_not_of(
-          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/") !=
-          std::string::npos) {
-    return Status::invalidParameter("'" + prefix + "' is no prefix of topics; write /tolman");
-  }
+  if (Status status = ros_map::checkPrefix(prefix); !status.isOk()) return status;
   auto node = ros1_node::Node::start(parameters_.master);
   if (!node.isOk()) return node.status();
   node_ = std::move(node).value();

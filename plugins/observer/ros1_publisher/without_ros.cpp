@@ -1,31 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replaces the observer `ros1_publisher` in a build without ROS: it fails and names what is
-// missing.
+// Registration of the observer `ros1_publisher` in a build without ROS.
+#include "without_ros.hpp"
+
 #include "publisher_parameters.hpp"
 #include "tolman/plugin.hpp"
-#include "tolman/roles.hpp"
 
-namespace tolman::ros1_publisher {
+using ObserverWithoutRos =
+    tolman::source_parameters::ObserverWithoutRos<tolman::ros1_publisher::PublisherParameters, 1>;
 
-class PublisherWithoutRos final : public Observer {
- public:
-  using Parameters = PublisherParameters;
-
-  Status configure(const Context&) override { return missing(); }
-  Status reset() override { return missing(); }
-  Status begin(const RunInfo&) override { return missing(); }
-  Status observe(const Snapshot&) override { return missing(); }
-  Status finish(const MapGraph&) override { return missing(); }
-
- private:
-  static Status missing() {
-    return Status::unsupported(
-        "this build of Tolman has no ROS 1; install what `scripts/install-dependencies --ros` "
-        "names, and build again");
-  }
-};
-
-}  // namespace tolman::ros1_publisher
-
-TOLMAN_PLUGIN(ros1_publisher, tolman::ros1_publisher::PublisherWithoutRos, "0.1.0",
+TOLMAN_PLUGIN(ros1_publisher, ObserverWithoutRos, "0.1.0",
               "Publishes pose, path, transform and map as topics of ROS 1.");

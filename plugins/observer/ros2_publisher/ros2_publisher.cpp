@@ -11,18 +11,12 @@ namespace tolman::ros2_publisher {
 namespace {
 
 using ros_map::FieldWriter;
-using ros_map::RosTransform;
 
 /// Velocities of the camera in its axes of ROS (x forward, y left, z up).
 std::array<double, 6> twistOf(const Motion& motion) {
   if (!(motion.dt > 0)) return {};
   const Vector6d step = logSe3(motion.T_previous_current) / motion.dt;
   return {step[2], -step[0], -step[1], step[5], -step[3], -step[4]};
-}
-
-/// Pose of the optical axes (x right, y down, z forward) in those of ROS.
-RosTransform opticalFrame(const std::string& camera) {
-  return {camera, camera + "_optical", ros_map::cameraPose(Eigen::Isometry3d::Identity())};
 }
 
 }  // namespace
@@ -33,13 +27,7 @@ Status Ros2Publisher::configure(const Context& context) {
   parameters_ = bound.value();
   log_ = &context.log;
   clock_ = &context.clock;
-  const std::string& prefix = parameters_.prefix;
-  if (!prefix.starts_with('/') || prefix.ends_with('/') ||
-      prefix.find_first_not_of(
-          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/") !=
-          std::string::npos) {
-    return Status::invalidParameter("'" + prefix + "' is no prefix of topics; write /tolman");
-  }
+  if (Status status = ros_map::checkPrefix(parameters_.prefix); !status.isOk()) return status;
   auto node = ros2_node::Node::start(parameters_);
   if (!node.isOk()) return node.status();
   node_ = std::move(node).value();
@@ -70,7 +58,7 @@ Result<Ros2Publisher::Topics> Ros2Publisher::advertise() {
 
 Status Ros2Publisher::reset() {
   waiting_.reset();
-  T_odom_camera_.setIdentity();
+  frames_.emplace(parameters_.map_frame, parameters_.odom_frame, parameters_.camera_frame);
   map_ns_ = state_ns_ = clock_->steadyNs();
   stamp_ns_ = 0;
   return Status::ok();
@@ -104,20 +92,13 @@ Status Ros2Publisher::finish(const MapGraph& graph) {
 }
 
 void Ros2Publisher::publishOdometry(const Snapshot& snapshot) {
-  T_odom_camera_ = normalised(T_odom_camera_ * snapshot.motion->T_previous_current);
-  const RosTransform in_odom{parameters_.odom_frame, parameters_.camera_frame,
-                             ros_map::robotPose(T_odom_camera_)};
+  frames_->add(*snapshot.motion);
   FieldWriter odometry;
-  ros_map::writeOdometry(odometry, stamp_ns_, in_odom, twistOf(*snapshot.motion));
+  ros_map::writeOdometry(odometry, stamp_ns_, frames_->inOdom(), twistOf(*snapshot.motion));
   send(topics_->odometry, odometry);
   if (!parameters_.tf) return;
-  const Eigen::Isometry3d T_map_odom = snapshot.map->T_world_camera * T_odom_camera_.inverse();
   FieldWriter transforms;
-  ros_map::writeTransforms(
-      transforms, stamp_ns_,
-      {{parameters_.map_frame, parameters_.odom_frame, ros_map::robotPose(T_map_odom)},
-       in_odom,
-       opticalFrame(parameters_.camera_frame)});
+  ros_map::writeTransforms(transforms, stamp_ns_, frames_->all(snapshot.map->T_world_camera));
   send(topics_->tf, transforms);
 }
 

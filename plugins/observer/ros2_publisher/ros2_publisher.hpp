@@ -41,7 +41,7 @@ class Ros2Publisher final : public Observer {
   std::optional<Topics> topics_;
   std::string run_;                  ///< name
   std::optional<MapGraph> waiting_;  ///< the newest map that is not published yet
-  Eigen::Isometry3d T_odom_camera_ = Eigen::Isometry3d::Identity();
+  std::optional<ros_map::RunFrames> frames_;
   std::int64_t map_ns_ = 0;    ///< clock time at which a map was last published
   std::int64_t state_ns_ = 0;  ///< and a state
   std::int64_t stamp_ns_ = 0;  ///< of the last frame

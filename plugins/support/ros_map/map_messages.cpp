@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_messages.hpp"
 
+#include "map_shapes.hpp"
+
 namespace tolman::ros_map {
 namespace {
 
@@ -40,6 +42,23 @@ void writeMarker(FieldWriter& to, std::int64_t stamp_ns, const std::string& fram
 }
 
 }  // namespace
+
+Status checkPrefix(const std::string& prefix) {
+  constexpr const char* kLegal = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/";
+  const bool is_legal = prefix.starts_with('/') && !prefix.ends_with('/') &&
+                        prefix.find_first_not_of(kLegal) == std::string::npos;
+  return is_legal
+             ? Status::ok()
+             : Status::invalidParameter("'" + prefix + "' is no prefix of topics; write /tolman");
+}
+
+RosTransform RunFrames::inOdom() const { return {odom_, camera_, robotPose(T_odom_camera_)}; }
+
+std::vector<RosTransform> RunFrames::all(const Eigen::Isometry3d& T_world_camera) const {
+  return {{map_, odom_, robotPose(T_world_camera * T_odom_camera_.inverse())},
+          inOdom(),
+          {camera_, camera_ + "_optical", cameraPose(Eigen::Isometry3d::Identity())}};
+}
 
 void writeOdometry(FieldWriter& to, std::int64_t stamp_ns, const RosTransform& pose,
                    const std::array<double, 6>& twist) {

@@ -10,6 +10,9 @@
 
 #include "field_writer.hpp"
 #include "ros_geometry.hpp"
+#include "tolman/geometry.hpp"
+#include "tolman/records.hpp"
+#include "tolman/status.hpp"
 
 namespace tolman::ros_map {
 
@@ -18,6 +21,29 @@ struct RosTransform {
   std::string frame;
   std::string child;
   RosPose pose;
+};
+
+/// InvalidParameter for what cannot be the first part of topics: "/tolman" can.
+Status checkPrefix(const std::string& prefix);
+
+/// The frames of a run as REP 105 has them: the odometry never jumps in `odom`, which moves in
+/// `map` where loops close. The camera has axes of ROS; with "_optical" behind its name, its own.
+class RunFrames {
+ public:
+  RunFrames(std::string map, std::string odom, std::string camera)
+      : map_(std::move(map)), odom_(std::move(odom)), camera_(std::move(camera)) {}
+
+  /// The camera has moved on.
+  void add(const Motion& motion) {
+    T_odom_camera_ = normalised(T_odom_camera_ * motion.T_previous_current);
+  }
+  RosTransform inOdom() const;
+  /// Map to odom, odom to camera, camera to its optical axes.
+  std::vector<RosTransform> all(const Eigen::Isometry3d& T_world_camera) const;
+
+ private:
+  std::string map_, odom_, camera_;
+  Eigen::Isometry3d T_odom_camera_ = Eigen::Isometry3d::Identity();
 };
 
 /// nav_msgs/Odometry; `twist`: m/s and rad/s in the axes of the child. Covariances are unknown.
