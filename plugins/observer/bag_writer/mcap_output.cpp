@@ -37,6 +37,10 @@ std::uint32_t crcOf(const std::string& bytes) {
       crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
+std::string nanoseconds(std::int64_t ns) {
+  return raw(static_cast<std::uint64_t>(std::max<std::int64_t>(ns, 0)));
+}
+
 struct Channel {
   std::uint16_t id = 0;
   std::string declaration;  ///< schema and channel
@@ -46,31 +50,25 @@ struct Channel {
 
 class Mcap final : public BagOutput {
  public:
-  explicit Mcap(std::ofstream file) : file_(std::move(file)) {
+  explicit Mcap(std::ofstream file) : BagOutput(std::move(file)) {
     put(kMagic + record(Kind::Header, prefixed("ros2") + prefixed("tolman")));
   }
 
   Format format() const override { return Format::Ros2; }
 
-  void write(const std::string& topic, const std::string& type, std::int64_t stamp_ns,
-             const std::vector<std::uint8_t>& message) override {
-    const auto time = static_cast<std::uint64_t>(std::max<std::int64_t>(stamp_ns, 0));
+ private:
+  void append(const std::string& topic, const std::string& type, std::int64_t stamp_ns,
+              const std::string& message) override {
+    const std::string time = nanoseconds(stamp_ns);
     Channel& channel = channels_[topic];
     if (channel.id == 0) declare(channel, topic, type);
-    if (chunk_.empty()) chunk_begin_ = chunk_end_ = time;
     if (channel.messages == 0) chunk_ += channel.declaration;
-    channel.index += raw(time) + raw(static_cast<std::uint64_t>(chunk_.size()));
+    channel.index += time + raw(static_cast<std::uint64_t>(chunk_.size()));
     const auto number = static_cast<std::uint32_t>(channel.messages++);
-    chunk_ += record(Kind::Message, raw(channel.id) + raw(number) + raw(time) + raw(time) +
-                                        std::string(message.begin(), message.end()));
-    chunk_begin_ = std::min(chunk_begin_, time);
-    chunk_end_ = std::max(chunk_end_, time);
-    constexpr std::size_t kEnough = 4U << 20;  // bytes
-    if (chunk_.size() > kEnough) endChunk();
+    chunk_ += record(Kind::Message, raw(channel.id) + raw(number) + time + time + message);
   }
 
-  Status close() override {
-    if (!chunk_.empty()) endChunk();
+  void writeIndex() override {
     put(record(Kind::DataEnd, raw(std::uint32_t{0})));
     const std::uint64_t at = at_;
     std::string summary;
@@ -80,14 +78,6 @@ class Mcap final : public BagOutput {
     const std::string begin = record(Kind::Footer, ends + raw(std::uint32_t{0}));
     const std::uint32_t sum = crcOf(summary + begin.substr(0, begin.size() - 4));
     put(summary + begin.substr(0, begin.size() - 4) + raw(sum) + kMagic);
-    file_.close();
-    return file_ ? Status::ok() : Status::failed("the bag cannot be written; is the disk full?");
-  }
-
- private:
-  void put(const std::string& bytes) {
-    file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    at_ += bytes.size();
   }
 
   void declare(Channel& channel, const std::string& topic, const std::string& type) {
@@ -99,11 +89,12 @@ class Mcap final : public BagOutput {
                                   prefixed("cdr") + prefixed(""));
   }
 
-  void endChunk() {
+  void writeChunk() override {
     const std::uint64_t begin = at_;
     const auto size = static_cast<std::uint64_t>(chunk_.size());
-    put(record(Kind::Chunk, raw(chunk_begin_) + raw(chunk_end_) + raw(size) + raw(crcOf(chunk_)) +
-                                prefixed("") + raw(size) + chunk_));
+    const std::string times = nanoseconds(begin_ns_) + nanoseconds(end_ns_);
+    put(record(Kind::Chunk,
+               times + raw(size) + raw(crcOf(chunk_)) + prefixed("") + raw(size) + chunk_));
     const std::uint64_t length = at_ - begin;
     std::string offsets;
     for (auto& [topic, channel] : channels_) {
@@ -112,14 +103,11 @@ class Mcap final : public BagOutput {
       put(record(Kind::MessageIndex, raw(channel.id) + prefixed(channel.index)));
       channel.index.clear();
     }
-    chunk_indices_ +=
-        record(Kind::ChunkIndex, raw(chunk_begin_) + raw(chunk_end_) + raw(begin) + raw(length) +
-                                     prefixed(offsets) + raw(at_ - begin - length) + prefixed("") +
-                                     raw(size) + raw(size));
-    begin_ = chunks_ == 0 ? chunk_begin_ : std::min(begin_, chunk_begin_);
-    end_ = std::max(end_, chunk_end_);
-    ++chunks_;
-    chunk_.clear();
+    chunk_indices_ += record(Kind::ChunkIndex, times + raw(begin) + raw(length) +
+                                                   prefixed(offsets) + raw(at_ - begin - length) +
+                                                   prefixed("") + raw(size) + raw(size));
+    first_ns_ = chunks_ == 0 ? begin_ns_ : std::min(first_ns_, begin_ns_);
+    last_ns_ = std::max(last_ns_, end_ns_);
   }
 
   std::string statistics() const {
@@ -132,19 +120,14 @@ class Mcap final : public BagOutput {
     const auto channels = static_cast<std::uint32_t>(channels_.size());
     return record(Kind::Statistics, raw(all) + raw(static_cast<std::uint16_t>(channels)) +
                                         raw(channels) + raw(std::uint64_t{0}) + raw(chunks_) +
-                                        raw(begin_) + raw(end_) + prefixed(counts));
+                                        nanoseconds(first_ns_) + nanoseconds(last_ns_) +
+                                        prefixed(counts));
   }
 
-  std::ofstream file_;
-  std::uint64_t at_ = 0;  ///< bytes written
   std::map<std::string, Channel> channels_;
-  std::string chunk_;
-  std::uint64_t chunk_begin_ = 0;  ///< time of the first message
-  std::uint64_t chunk_end_ = 0;
   std::string chunk_indices_;
-  std::uint32_t chunks_ = 0;
-  std::uint64_t begin_ = 0;
-  std::uint64_t end_ = 0;
+  std::int64_t first_ns_ = 0;  ///< of all messages
+  std::int64_t last_ns_ = 0;
 };
 
 }  // namespace

@@ -41,43 +41,31 @@ struct Connection {
 
 class Ros1Bag final : public BagOutput {
  public:
-  explicit Ros1Bag(std::ofstream file) : file_(std::move(file)) { put(header(0)); }
+  explicit Ros1Bag(std::ofstream file) : BagOutput(std::move(file)) { put(header(0)); }
 
   Format format() const override { return Format::Ros1; }
 
-  void write(const std::string& topic, const std::string& type, std::int64_t stamp_ns,
-             const std::vector<std::uint8_t>& message) override {
+ private:
+  void append(const std::string& topic, const std::string& type, std::int64_t stamp_ns,
+              const std::string& message) override {
     const auto [known, is_new] = connections_.try_emplace(topic);
     Connection& connection = known->second;
-    if (is_new) declare(connection, topic, type);
-    if (chunk_.empty()) begin_ns_ = end_ns_ = stamp_ns;
-    if (is_new) chunk_ += connection.declaration;
+    if (is_new) {
+      declare(connection, topic, type);
+      chunk_ += connection.declaration;
+    }
     connection.index += timeOf(stamp_ns) + raw(static_cast<std::uint32_t>(chunk_.size()));
     ++connection.count;
-    chunk_ +=
-        record(Op::Message, field("conn", raw(connection.id)) + field("time", timeOf(stamp_ns)),
-               std::string(message.begin(), message.end()));
-    begin_ns_ = std::min(begin_ns_, stamp_ns);
-    end_ns_ = std::max(end_ns_, stamp_ns);
-    constexpr std::size_t kEnough = 4U << 20;  // bytes
-    if (chunk_.size() > kEnough) endChunk();
+    chunk_ += record(Op::Message,
+                     field("conn", raw(connection.id)) + field("time", timeOf(stamp_ns)), message);
   }
 
-  Status close() override {
-    if (!chunk_.empty()) endChunk();
+  void writeIndex() override {
     const std::uint64_t index_at = at_;
     for (const auto& [topic, connection] : connections_) put(connection.declaration);
     put(chunk_infos_);
     file_.seekp(0);
     put(header(index_at));
-    file_.close();
-    return file_ ? Status::ok() : Status::failed("the bag cannot be written; is the disk full?");
-  }
-
- private:
-  void put(const std::string& bytes) {
-    file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    at_ += bytes.size();
   }
 
   /// The beginning of the file, of one size whatever is in it.
@@ -99,7 +87,7 @@ class Ros1Bag final : public BagOutput {
             field("message_definition", definitionOf(type, Format::Ros1)));
   }
 
-  void endChunk() {
+  void writeChunk() override {
     const std::uint64_t begin = at_;
     put(record(Op::Chunk,
                field("compression", "none") +
@@ -123,18 +111,10 @@ class Ros1Bag final : public BagOutput {
                                field("start_time", timeOf(begin_ns_)) +
                                field("end_time", timeOf(end_ns_)) + field("count", raw(used)),
                            counts);
-    ++chunks_;
-    chunk_.clear();
   }
 
-  std::ofstream file_;
-  std::uint64_t at_ = 0;  ///< bytes written
   std::map<std::string, Connection> connections_;
-  std::string chunk_;
-  std::int64_t begin_ns_ = 0;  ///< times of the open chunk
-  std::int64_t end_ns_ = 0;
   std::string chunk_infos_;
-  std::uint32_t chunks_ = 0;
 };
 
 }  // namespace
