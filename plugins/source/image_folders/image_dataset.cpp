@@ -11,6 +11,7 @@
 #include "base/text_file.hpp"
 #include "coded_image.hpp"
 #include "data_error.hpp"
+#include "depth_array.hpp"
 #include "image_file.hpp"
 
 namespace tolman::image_folders {
@@ -238,14 +239,8 @@ Status FolderSource::describe(std::vector<ArrayInfo>& arrays) const {
     exposure.axes.resize(1);
   }
   if (dataset_.depth.empty()) return Status::ok();
-  ArrayInfo& depth = arrays.emplace_back();
-  depth.name = kDepth;
-  depth.kind = ArrayKind::DepthImage;
-  depth.unit = "m";
-  depth.doc = "measured depth of the image along the optical axis; 0 where it was not measured";
-  depth.axes.resize(2);
-  depth.axes[0].name = "row";
-  depth.axes[1].name = "column";
+  arrays.push_back(source_parameters::depthArray(
+      kDepth, "measured depth of the image along the optical axis; 0 where it was not measured"));
   return Status::ok();
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "buildings.hpp"
+#include "depth_array.hpp"
 #include "noise.hpp"
 #include "tolman/geometry.hpp"
 
@@ -298,15 +299,8 @@ Status TownSource::next(Frame& frame) {
 
 Status TownSource::describe(std::vector<ArrayInfo>& arrays) const {
   if (!parameters_.depth) return Status::ok();
-  ArrayInfo depth;
-  depth.name = "depth.left";
-  depth.kind = ArrayKind::DepthImage;
-  depth.unit = "m";
-  depth.doc = "true depth of the left image along the optical axis; 0 for the sky";
-  depth.axes.resize(2);
-  depth.axes[0].name = "row";
-  depth.axes[1].name = "column";
-  arrays.push_back(std::move(depth));
+  arrays.push_back(source_parameters::depthArray(
+      "depth.left", "true depth of the left image along the optical axis; 0 for the sky"));
   return Status::ok();
 }
 

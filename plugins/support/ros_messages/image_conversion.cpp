@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "coded_image.hpp"
+#include "depth_array.hpp"
 #include "png_decoder.hpp"
 #include "tolman/image_cv.hpp"
 
@@ -281,15 +282,8 @@ Result<std::vector<float>> convertDepth(const std::string& type, const Message& 
 }
 
 ArrayInfo depthInfo() {
-  ArrayInfo info;
-  info.name = "depth";
-  info.kind = ArrayKind::DepthImage;
-  info.unit = "m";
-  info.doc = "depth along the optical axis, 0 where it is not known";
-  info.axes.resize(2);
-  info.axes[0].name = "row";
-  info.axes[1].name = "column";
-  return info;
+  return source_parameters::depthArray("depth",
+                                       "depth along the optical axis, 0 where it is not known");
 }
 
 }  // namespace tolman::ros_messages
