@@ -165,8 +165,9 @@ struct RecordSettings {
             .range(-1, 1e6)
             .unit("frames")
             .doc("Named arrays of the cells are recorded every N frames; 0: never. "
-                 "-1: at each of the first 5,000, at every 2nd up to 10,000, at "
-                 "every 4th up to 20,000, and so on."),
+                 "-1: at all of up to 5,000 frames, at every 2nd of up to 10,000, "
+                 "at every 4th of up to 20,000, and so on: a run that goes on "
+                 "removes the others again."),
         parameter("state_every", &S::state_every)
             .range(0, 1e6)
             .unit("s")

@@ -119,7 +119,7 @@ namespace {
 // Measuring a pair takes 5 ms, so only every fifth frame is measured; every frame during a fault.
 constexpr int kMeasuredEvery = 5;  // frames
 constexpr int kCertain = 12;       // matches; with fewer, two measures must find the same fault
-constexpr double kTurns = 2;       // px between two frames
+constexpr double kTurns = 2;       // px between two frames; chosen, not tuned
 constexpr int kSoundAgain = 5;     // measures without a fault, in succession, that end it
 
 /// The value that `share` of the values do not exceed; there must be one.
@@ -246,7 +246,8 @@ constexpr double kMostExchanged = 0.6;  // share of the matches
 // Smaller eigenvalue of the structure tensor (Shi and Tomasi 1994): 40 grey levels^2 per pixel.
 constexpr double kWeakestCorner = 40.0 / (255 * 255);
 constexpr double kLeastAlike = 0.8;  // correlation
-constexpr double kDistinct = 0.56;   // 1 - correlation, relative to that of any distant place
+/// 1 - correlation, relative to that of any distant place; about 0.75 of the differences, squared.
+constexpr double kDistinct = 0.56;
 
 /// The strongest corner of each cell of a grid.
 std::vector<cv::Point> findCorners(const cv::Mat& image) {

@@ -152,6 +152,7 @@ class PacedFeed {
 
  private:
   void feed() {
+    const bool is_live = chain_.stages().source.instance().manifest().hasExtra("live");
     const auto start = Steady::now();
     std::optional<std::int64_t> first_ns;
     for (;;) {
@@ -162,7 +163,6 @@ class PacedFeed {
       const double ahead_ns = static_cast<double>(stamp_ns - *first_ns);
       const auto due =
           start + std::chrono::nanoseconds(static_cast<std::int64_t>(ahead_ns / options_.speed));
-      const bool is_live = chain_.stages().source.instance().manifest().hasExtra("live");
       if (!is_live) waitUntil(due);  // a live camera has its own pace
       records->exposed = is_live ? Steady::now() : due;
       enqueue(records);

@@ -194,12 +194,12 @@ SavedSession loadState(Assembly& assembly, const fs::path& directory) {
   std::error_code ignored;
   const bool finished = fs::exists(file, ignored);
   if (!finished && !fs::exists(checkpointFile(directory), ignored)) {
-    refuseToContinue(
-        directory.string() +
-        ": this run saved no map that could be continued (it failed, localised in that of another "
-        "run, was killed before its first "
-        "checkpoint, is of an older version, or its plugins cannot save their state; see its "
-        "log.txt); run it again to its end or to an interrupt");
+    refuseToContinue(directory.string() +
+                     ": this run saved no map that could be continued (it failed, used the map of "
+                     "another run, was "
+                     "killed before its first checkpoint, is of an older version, or its plugins "
+                     "cannot save their state; see its "
+                     "log.txt); run it again to its end or to an interrupt");
   }
   const Checkpoint state = load(assembly, finished ? file : checkpointFile(directory));
   const std::int64_t loaded = experiencesOf(assembly);

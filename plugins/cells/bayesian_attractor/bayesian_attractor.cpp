@@ -21,6 +21,8 @@ constexpr double kSlope = 0.1;
 /// Standard deviation of the height of a familiar view above its template over
 /// experience_spacing, in addition to kSlope: 0.2 m for a car. Chosen, not tuned.
 constexpr double kStep = 0.04;
+/// Drift of path integration upwards over drift_position. Chosen, not tuned.
+constexpr double kUpwards = 0.5;
 /// Most storeys that one view is linked to; the oldest link is removed first. Bounds
 /// memory and time.
 constexpr std::size_t kMaxStoreys = 32;
@@ -48,7 +50,7 @@ AttractorState BayesianAttractor::freshState() const {
                                    .height_period = p.height_period,
                                    .drift_position = p.drift_position,
                                    .drift_heading = p.drift_heading,
-                                   .drift_height = 0.5 * p.drift_position,
+                                   .drift_height = kUpwards * p.drift_position,
                                    .tail = p.drift_tail,
                                    .prior = p.prior,
                                    .injection = p.injection,
@@ -259,12 +261,14 @@ void BayesianAttractor::localise(const PlaceObservation& view, const Perception&
 void BayesianAttractor::followKnownPlace(const Motion& motion) {
   const Eigen::Isometry3d& step = motion.T_previous_current;
   const double length = step.translation().norm();
-  const double drift = parameters_.drift_position * parameters_.drift_position * length;
-  const double turn = parameters_.drift_heading * parameters_.drift_heading * length;
+  const auto grown = [&](double drift) { return drift * drift * length; };
+  const double along = grown(parameters_.drift_position);
+  const double up = grown(kUpwards * parameters_.drift_position);
+  const double turn = grown(parameters_.drift_heading);
   const Matrix6d A = adjointSe3(step.inverse());
   Matrix6d& covariance = state_->known->covariance;
   covariance = A * covariance * A.transpose() + motion.covariance;
-  covariance.diagonal() += (Vector6d() << drift, drift / 4, drift, turn, turn, turn).finished();
+  covariance.diagonal() += (Vector6d() << along, up, along, turn, turn, turn).finished();
 }
 
 /// The place is known for some way after a view has said where the robot is, unless another view
